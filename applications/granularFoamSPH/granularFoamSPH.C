@@ -1,0 +1,141 @@
+// Flow of dry granular material: weakly compressible SPH in two dimensions.
+//
+// One step, after Salehizadeh & Shafiei, Granular Matter 21:32 (2019), whose
+// equation numbers stand at the calls.
+
+#include "boundaries/Boundaries.H"
+#include "functionObjects/FunctionObject.H"
+#include "integrators/Integrator.H"
+#include "io/caseIO.H"
+#include "runTime/CommandLine.H"
+#include "runTime/Time.H"
+#include "scheme/Guard.H"
+#include "scheme/Scheme.H"
+#include "scheme/timeStep.H"
+#include "selection/listModels.H"
+#include "setup/readGravity.H"
+
+#include <iostream>
+
+using namespace sph;
+namespace fs = std::filesystem;
+
+static void write(const Particles& particles, Time& runTime)
+{
+    writeState
+    (
+        particles, runTime.value(), runTime.timePath(),
+        {
+            runTime.writeAscii(), runTime.writeCompressed(),
+            runTime.writePrecision()
+        }
+    );
+    runTime.wroteState();
+    writeSeries(runTime.caseDir());
+}
+
+int main(int argc, char* argv[])
+{
+    return runMain("granularFoamSPH", [&]
+    {
+        const CommandLine args
+        (
+            argc, argv, "Flow of dry granular material by SPH",
+            {
+                {"listModels", "", "list every selection table and exit"},
+                {"noFunctionObjects", "", "do not execute function objects"}
+            }
+        );
+        if (args.found("listModels"))
+        {
+            listModels(std::cout);
+            return 0;
+        }
+        args.printBanner();
+
+        const fs::path caseDir = args.caseDir();
+        Time runTime(caseDir);
+        const dictionary properties =
+            dictionary::fromFile(caseDir/"constant"/"granularProperties");
+        const dictionary boundary =
+            dictionary::fromFile(caseDir/"constant"/"boundary");
+        const dictionary schemes =
+            dictionary::fromFile(caseDir/"system"/"sphSchemes");
+        const dictionary solution =
+            dictionary::fromFile(caseDir/"system"/"sphSolution");
+        const vector g = readGravity(caseDir);
+
+        Particles particles;
+        const bool restart = readState(runTime.timePath(), particles);
+        const Material material(properties, g, particles.spacing());
+        const Boundaries boundaries(boundary, particles.spacing());
+        Scheme scheme
+        (
+            schemes, solution, particles, boundaries, material, g
+        );
+        const auto integrator = Integrator::New(solution, "integrator");
+        const TimeStep timeStep(solution, material, scheme.kernel().h());
+        Guard guard(solution, particles, material.cP(), material.rho0());
+
+        boundaries.setDepths(particles);
+        const dictionary none;
+        FunctionObjects functions
+        (
+            args.found("noFunctionObjects") ? none : runTime.controlDict(),
+            Scene
+            {
+                caseDir, runTime.startTimeName(), g,
+                material.rho0(), material.eos().K(), particles
+            }
+        );
+        for (const dictionary* dict : {&properties, &boundary, &schemes, &solution})
+        {
+            dict->refuseUnused();
+        }
+
+        if (!restart)
+        {
+            scheme.initialise();
+        }
+        guard.keep(particles, runTime.value());
+        functions.execute(runTime, true);
+
+        std::cout << "\nStarting time loop: "
+            << particles.granular().size() << " granular and "
+            << particles.walls().size() << " wall particles\n" << std::endl;
+        label netHits = 0;
+        while (runTime.loop(timeStep.stable(particles)))
+        {
+            const scalar dt = runTime.deltaT();
+
+            integrator->begin(particles, dt);       // (27)-(28)
+            netHits += boundaries.net(particles);
+            scheme.updatePairs();
+            scheme.extrapolateVelocity();           // (21)-(23)
+            scheme.gradients();                     // (11)-(13)
+            scheme.continuity(dt);                  // (27), (31)
+            scheme.pressure();                      // (7)
+            scheme.rheology(dt);                    // (35)-(39)
+            scheme.extrapolateStress();             // (24)-(26)
+            scheme.forces(dt);                      // (14)-(20), (31)-(32)
+            integrator->end(particles, dt);
+
+            timeStep.printCourant(particles, dt);
+            std::cout << "Pair lists rebuilt: "
+                << scheme.neighbourhood().rebuilds()
+                << "  wall net hits: " << netHits << '\n';
+            guard.check(particles, runTime);
+            functions.execute(runTime);
+            if (runTime.writeTime())
+            {
+                write(particles, runTime);
+                scheme.neighbourhood().reset();
+            }
+            runTime.printExecutionTime();
+        }
+
+        functions.end();
+        std::cout << "End\n" << std::endl;
+        return 0;
+    });
+}

@@ -1,0 +1,90 @@
+// setParticles: fills regions with particles and writes the start time.
+//
+// Reads   system/setParticlesDict, system/controlDict, constant/boundary,
+//         constant/g, constant/granularProperties
+// Writes  <startTime>/granular.vtp, <startTime>/walls.vtp
+
+#include "io/caseIO.H"
+#include "runTime/TimeControls.H"
+#include "setup/checkWallDistance.H"
+#include "setup/createParticles.H"
+#include "setup/hydrostatic.H"
+#include "setup/readGravity.H"
+#include "setup/setFieldValues.H"
+#include "setup/setupOptions.H"
+
+#include <iostream>
+
+using namespace sph;
+namespace fs = std::filesystem;
+
+static int setParticles(int argc, char* argv[])
+{
+    const CommandLine args
+    (
+        argc, argv,
+        "Fills regions with particles, at rest under their own weight.",
+        {
+            {"dict", "file", "Use another dictionary than setParticlesDict"},
+            {"time", "time", "Write this time instead of startTime"}
+        }
+    );
+    const fs::path caseDir = args.caseDir();
+    const fs::path constant = caseDir/"constant";
+    args.printBanner();
+
+    const auto controlDict =
+        dictionary::fromFile(caseDir/"system"/"controlDict");
+    const TimeControls controls(controlDict);
+    const Time::Instant time = setupTime(args, controlDict);
+
+    const fs::path dictPath = setupDictPath(args);
+    std::cout << "Reading " << dictPath.filename() << '\n';
+    const auto dict = dictionary::fromFile(dictPath);
+
+    const vector g = readGravity(caseDir);
+    const auto properties = dictionary::fromFile(constant/"granularProperties");
+    const scalar rho0 = properties.get("rho0", dimDensity, Range::positive());
+    const auto equationOfState = EquationOfState::New
+    (
+        properties, "equationOfState", rho0, g.norm()
+    );
+
+    Lattice lattice(dict);
+    const scalar dx = lattice.spacing();
+    const Boundaries boundaries(dictionary::fromFile(constant/"boundary"), dx);
+
+    auto regions = fillRegions(dict, lattice);
+    resolveOverlaps(dict, dx, regions);
+    checkWallDistance(boundaries, dx, regions);
+    jitter(lattice, boundaries, regions);
+
+    Particles particles(dx);
+    createParticles(regions, boundaries, rho0, particles);
+    setHydrostatic(dict, g, *equationOfState, regions, particles);
+    setFieldValues(regions, particles);
+    correctVolumeAndPressure(*equationOfState, particles);
+    dict.refuseUnused();
+    reportParticles(regions, boundaries, particles);
+
+    std::cout << "\nWriting particles to \"" << time.name << "\"\n";
+    const fs::path folder = caseDir/time.name;
+    fs::remove(folder/"uniform"/"time");    // the clock of an earlier run
+    writeState
+    (
+        particles, time.value, folder,
+        {
+            controls.writeAscii, controls.writeCompressed,
+            controls.writePrecision
+        }
+    );
+    writeSeries(caseDir);
+
+    std::cout << "\nEnd\n" << std::endl;
+    return 0;
+}
+
+int main(int argc, char* argv[])
+{
+    return runMain("setParticles", [&]{ return setParticles(argc, argv); });
+}

@@ -1,0 +1,37 @@
+// No numerical dissipation.
+//
+//     artificialViscosity  none;
+
+#include "artificialViscosity/ArtificialViscosity.H"
+
+namespace sph
+{
+
+class noArtificialViscosity : public ArtificialViscosity
+{
+public:
+    noArtificialViscosity
+    (
+        const dictionary&, PairWalk&, const EquationOfState&, const Kernel&
+    )
+    {}
+
+    bool hasPairTerm() const override { return false; }
+
+    void evaluate(const PairBlock&) override {}
+
+    void bulkPressure
+    (
+        Particles& particles, const ParticleRange& range
+    ) const override
+    {
+        noBulkPressure(particles, range);
+    }
+};
+
+static const ArtificialViscosity::Add<noArtificialViscosity> add
+(
+    "none", "no numerical dissipation"
+);
+
+} // namespace sph

@@ -1,0 +1,38 @@
+// Smooth wall: only the normal velocity of the material is mirrored, and its
+// shear stress changes sign.
+//
+//     U_w = U~ - 2 n n.(U~ - U_wall),   U~ = sum U V W/sum V W
+//
+// Adami, Hu & Adams, J. Comput. Phys. 231, 7057 (2012).
+//
+//     side { type freeSlip; points ((0 0.2 0) (0 0 0)); }
+
+#include "boundaries/Wall.H"
+
+namespace sph
+{
+
+class freeSlip : public Wall
+{
+public:
+    freeSlip(const dictionary& dict, const word& name, const scalar spacing)
+    :
+        Wall(dict, name, spacing)
+    {}
+
+    vectorLanes wallVelocity(const WallPairs& pairs) const override
+    {
+        const vectorLanes U = pairs.smoothedVelocity();
+        const vectorLanes wall{velocity().x(), velocity().y()};
+        return U - lanes(2)*(pairs.n & (U - wall))*pairs.n;
+    }
+
+    bool mirrorsStress() const override { return true; }
+};
+
+static const Boundary::Add<freeSlip> add
+(
+    "freeSlip", "smooth wall, normal velocity mirrored"
+);
+
+} // namespace sph

@@ -1,0 +1,34 @@
+// Plain kernel gradients.
+//
+//     correction  none;
+
+#include "corrections/Correction.H"
+
+namespace sph
+{
+
+class uncorrected : public Correction
+{
+public:
+    uncorrected(const dictionary&, PairWalk& walk)
+    :
+        Correction(walk)
+    {}
+
+protected:
+    void correct
+    (
+        const symmTensorLanes&, const lanes&, symmTensorLanes& L, lanes& w
+    ) const override
+    {
+        L = {1, 0, 1};
+        w = 0;
+    }
+};
+
+static const Correction::Add<uncorrected> add
+(
+    "none", "plain kernel gradients"
+);
+
+} // namespace sph

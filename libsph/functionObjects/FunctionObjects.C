@@ -1,0 +1,157 @@
+#include "functionObjects/FunctionObject.H"
+
+#include <cmath>
+
+namespace sph
+{
+
+namespace
+{
+
+// One entry of functions, and when it is due
+struct Scheduled
+{
+    word name;
+    word control;
+    scalar interval;
+    std::int64_t lastPeriod = 0;
+    bool executed = false;      // at the present step
+    std::unique_ptr<FunctionObject> object;
+
+    Scheduled(const word& name, const dictionary& dict, const Scene& scene);
+
+    bool due(const Time& runTime);
+    void execute(Time& runTime);
+};
+
+
+Scheduled::Scheduled
+(
+    const word& name, const dictionary& dict, const Scene& scene
+)
+:
+    name(name),
+    control
+    (
+        dict.getChoiceOrDefault
+        (
+            "executeControl", "timeStep", {"timeStep", "runTime", "writeTime"}
+        )
+    ),
+    interval
+    (
+        control == "runTime"
+      ? dict.get("executeInterval", dimTime, Range::positive())
+      : dict.getOrDefault<label>("executeInterval", 1)
+    )
+{
+    if (interval <= 0)
+    {
+        dict.fail("executeInterval", "The interval must be at least 1");
+    }
+    object = FunctionObject::New(dict, "type", name, scene);
+}
+
+
+bool Scheduled::due(const Time& runTime)
+{
+    if (control == "timeStep")
+    {
+        return runTime.index() % std::int64_t(interval) == 0;
+    }
+    if (control == "writeTime" && !runTime.writeTime())
+    {
+        return false;
+    }
+    // writeTime counts the writes, runTime the intervals begun to half a step
+    const std::int64_t period =
+        control == "writeTime"
+      ? lastPeriod + 1
+      : std::floor((runTime.value() + 0.5*runTime.deltaT())/interval);
+    const bool isDue =
+        control == "writeTime"
+      ? period % std::int64_t(interval) == 0 : period > lastPeriod;
+    lastPeriod = period;
+    return isDue;
+}
+
+
+void Scheduled::execute(Time& runTime)
+{
+    executed = true;
+    std::string stop;
+    object->execute(runTime.value(), stop);
+    if (!stop.empty())
+    {
+        runTime.stop(name + ": " + stop);
+    }
+}
+
+} // namespace
+
+
+struct FunctionObjects::Data
+{
+    std::vector<Scheduled> list;
+};
+
+
+FunctionObjects::FunctionObjects
+(
+    const dictionary& controlDict, const Scene& scene
+)
+:
+    data_(std::make_unique<Data>())
+{
+    const dictionary& functions = controlDict.subOrEmptyDict("functions");
+    for (const word& name : functions.toc())
+    {
+        const dictionary& dict = functions.subDict(name);
+        if (dict.getOrDefault("enabled", true))
+        {
+            data_->list.emplace_back(name, dict, scene);
+        }
+        else
+        {
+            functions.markUsed(name);
+        }
+    }
+}
+
+
+FunctionObjects::~FunctionObjects() = default;
+
+
+void FunctionObjects::execute(Time& runTime, const bool start)
+{
+    for (Scheduled& entry : data_->list)
+    {
+        entry.executed = false;
+        if (entry.due(runTime) || start)
+        {
+            entry.execute(runTime);
+        }
+    }
+    // The last state belongs to every record
+    if (!start && !runTime.run())
+    {
+        for (Scheduled& entry : data_->list)
+        {
+            if (!entry.executed)
+            {
+                entry.execute(runTime);
+            }
+        }
+    }
+}
+
+
+void FunctionObjects::end()
+{
+    for (Scheduled& entry : data_->list)
+    {
+        entry.object->end();
+    }
+}
+
+} // namespace sph

@@ -1,0 +1,122 @@
+#include "particles/CellGrid.H"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sph
+{
+
+label CellGrid::cellOf(const scalar x, const scalar y) const
+{
+    const label cx = label((x - origin_.x())/width_);
+    const label cy = label((y - origin_.y())/width_);
+    return
+        std::clamp(cy, 0, ny_ - 1)*nx_ + std::clamp(cx, 0, nx_ - 1);
+}
+
+void CellGrid::build
+(
+    const vectorField& r, const std::vector<ParticleRange>& ranges,
+    const scalar width
+)
+{
+    const scalar inf = std::numeric_limits<scalar>::infinity();
+    scalar xMin = inf, xMax = -inf, yMin = inf, yMax = -inf;
+    label n = 0;
+    for (const ParticleRange& range : ranges)
+    {
+        n += range.size();
+        #pragma omp simd reduction(min: xMin, yMin) reduction(max: xMax, yMax)
+        for (label i = range.begin; i < range.end; ++i)
+        {
+            xMin = std::min(xMin, r.x[i]);
+            xMax = std::max(xMax, r.x[i]);
+            yMin = std::min(yMin, r.y[i]);
+            yMax = std::max(yMax, r.y[i]);
+        }
+    }
+    particle_.resize(n);
+    x_.resize(n);
+    y_.resize(n);
+    if (n == 0)
+    {
+        nx_ = ny_ = 0;
+        return;
+    }
+
+    // Far more cells than particles would be empty space: widen the cells
+    width_ = width;
+    const scalar area = (xMax - xMin + width)*(yMax - yMin + width);
+    const scalar maxCells = 4.0*n + 1024;
+    if (area > maxCells*width*width)
+    {
+        width_ = std::sqrt(area/maxCells);
+    }
+    origin_ = {xMin, yMin};
+    nx_ = label((xMax - xMin)/width_) + 1;
+    ny_ = label((yMax - yMin)/width_) + 1;
+
+    // Counting sort, stable
+    start_.assign(nx_*ny_ + 1, 0);
+    cell_.resize(n);
+    label k = 0;
+    for (const ParticleRange& range : ranges)
+    {
+        for (label i = range.begin; i < range.end; ++i, ++k)
+        {
+            cell_[k] = cellOf(r.x[i], r.y[i]);
+            ++start_[cell_[k] + 1];
+        }
+    }
+    for (label c = 0; c < nx_*ny_; ++c)
+    {
+        start_[c + 1] += start_[c];
+    }
+    k = 0;
+    for (const ParticleRange& range : ranges)
+    {
+        for (label i = range.begin; i < range.end; ++i, ++k)
+        {
+            const label entry = start_[cell_[k]]++;
+            particle_[entry] = i;
+            x_[entry] = r.x[i];
+            y_[entry] = r.y[i];
+        }
+    }
+    for (label c = nx_*ny_; c > 0; --c)
+    {
+        start_[c] = start_[c - 1];
+    }
+    start_[0] = 0;
+}
+
+void CellGrid::runsAround
+(
+    const scalar x, const scalar y, Run runs[3]
+) const
+{
+    if (nx_ == 0)
+    {
+        std::fill_n(runs, 3, Run{0, 0});
+        return;
+    }
+    // In scalars first: the point may lie far outside the grid
+    const scalar cx = std::floor((x - origin_.x())/width_);
+    const scalar cy = std::floor((y - origin_.y())/width_);
+    const scalar left = std::max<scalar>(cx - 1, 0);
+    const scalar right = std::min<scalar>(cx + 1, nx_ - 1);
+    for (int row = 0; row < 3; ++row)
+    {
+        const scalar y = cy + row - 1;
+        const bool empty = left > right || y < 0 || y > ny_ - 1;
+        runs[row] =
+            empty ? Run{0, 0}
+          : Run
+            {
+                start_[label(y)*nx_ + label(left)],
+                start_[label(y)*nx_ + label(right) + 1]
+            };
+    }
+}
+
+} // namespace sph

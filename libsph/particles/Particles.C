@@ -1,0 +1,190 @@
+#include "particles/Particles.H"
+
+#include "primitives/error.H"
+
+#include <algorithm>
+
+namespace sph
+{
+
+Particles::Particles(const scalar spacing)
+:
+    spacing_(spacing)
+{
+    using K = FieldKind;
+    const bool yes = true, no = false;
+    fields_ =
+    {
+        {"U", K::vector, {&U.x, &U.y}, yes, yes, "velocity [m/s]"},
+        {"rho", K::scalar, {&rho}, yes, yes, "bulk density [kg/m3]"},
+        {"m", K::scalar, {&m}, yes, yes, "mass per unit depth [kg/m]"},
+        {
+            "s", K::symmTensor, {&s.xx, &s.xy, &s.yy}, yes, no,
+            "deviatoric stress [Pa]"
+        },
+        {"a", K::vector, {&a.x, &a.y}, yes, no, "acceleration [m/s2]"},
+        {"Us", K::vector, {&Us.x, &Us.y}, yes, no, "shifting velocity [m/s]"},
+        {"rhoDot", K::scalar, {&rhoDot}, yes, no, "density diffusion"},
+        {"eta", K::scalar, {&eta}, yes, no, "effective viscosity [Pa s]"},
+        {"V", K::scalar, {&V}, no, no, "volume per unit depth [m2]"},
+        {"p", K::scalar, {&p}, no, no, "pressure [Pa]"},
+        {"q", K::scalar, {&q}, no, no, "bulk viscous pressure [Pa]"},
+        {
+            "gradU", K::tensor, {&gradU.xx, &gradU.xy, &gradU.yx, &gradU.yy},
+            no, no, "velocity gradient [1/s]"
+        },
+        {
+            "gradRho", K::vector, {&gradRho.x, &gradRho.y}, no, no,
+            "density gradient [kg/m4]"
+        },
+        {
+            "L", K::symmTensor, {&L.xx, &L.xy, &L.yy}, no, no,
+            "gradient correction (13)"
+        },
+        {"lambda", K::scalar, {&lambda}, no, no, "completeness of the kernel"},
+        {"w", K::scalar, {&w}, no, no, "share of the corrected divergence"},
+        {"div", K::scalar, {&div}, no, no, "velocity divergence [1/s]"},
+        {"gammaDot", K::scalar, {&gammaDot}, no, no, "shear rate [1/s]"},
+        {"I", K::scalar, {&I}, no, no, "inertial number (35)"},
+        {
+            "T", K::symmTensor, {&T.xx, &T.xy, &T.yy}, no, no,
+            "stress over density squared [Pa m6/kg2]"
+        },
+        {"Vg", K::scalar, {&Vg}, no, no, "volume, 0 for walls [m2]"},
+        {"n", K::vector, {&n.x, &n.y}, no, no, "normal of a wall"},
+        {"depth", K::scalar, {&depth}, no, no, "depth behind a wall [m]"}
+    };
+    resize(0, 0);
+}
+
+const FieldInfo& Particles::field(const std::string& name) const
+{
+    const auto iter = std::find_if
+    (
+        fields_.begin(), fields_.end(),
+        [&](const FieldInfo& info) { return info.name == name; }
+    );
+    if (iter == fields_.end())
+    {
+        wordList names;
+        for (const FieldInfo& info : fields_)
+        {
+            names.push_back(info.name);
+        }
+        throw Error
+        (
+            "Unknown particle field " + name + "\n\nValid fields :\n\n"
+          + listOfWords(names)
+        );
+    }
+    return *iter;
+}
+
+void Particles::resizeAll(const label size)
+{
+    // One slice more than needed: lanes may be loaded from the null particle
+    const std::size_t n = roundUpToLanes(size) + laneCount;
+    r.x.resize(n);
+    r.y.resize(n);
+    for (FieldInfo& info : fields_)
+    {
+        for (scalarField* component : info.components)
+        {
+            component->resize(n);
+        }
+    }
+    id.resize(n, -1);
+    patch.resize(n, -1);
+}
+
+void Particles::setNull(const label i)
+{
+    r.x[i] = r.y[i] = 0;
+    for (FieldInfo& info : fields_)
+    {
+        for (scalarField* component : info.components)
+        {
+            (*component)[i] = 0;
+        }
+    }
+    id[i] = -1;
+    patch[i] = -1;
+}
+
+void Particles::resize(const label nGranular, const label nWall)
+{
+    const label oldGranular = nGranular_;
+    const label oldWallBegin = wallBegin_;
+    const label oldWall = nWall_;
+
+    nGranular_ = nGranular;
+    wallBegin_ = roundUpToLanes(nGranular);
+    nWall_ = nWall;
+    ghostBegin_ = wallBegin_ + roundUpToLanes(nWall);
+
+    const label keptWall =
+        oldWallBegin == wallBegin_ ? std::min(oldWall, nWall) : 0;
+    nGhost_ = 0;
+    null_ = ghostBegin_;
+    resizeAll(size());
+    for (label i = std::min(oldGranular, nGranular); i < wallBegin_; ++i)
+    {
+        setNull(i);
+    }
+    for (label i = wallBegin_ + keptWall; i < label(r.x.size()); ++i)
+    {
+        setNull(i);
+    }
+}
+
+void Particles::resizeGhosts(const label nGhost)
+{
+    nGhost_ = nGhost;
+    null_ = ghostBegin_ + nGhost;
+    if (roundUpToLanes(size()) + laneCount > label(r.x.size()))
+    {
+        // Head room, so that a growing number of ghosts seldom reallocates
+        resizeAll(size() + nGhost/2);
+    }
+    setNull(null_);
+}
+
+void Particles::reorderGranular(const labelField& order)
+{
+    buffer_.resize(nGranular_);
+    idBuffer_.resize(nGranular_);
+
+    const auto permute = [&](scalarField& field)
+    {
+        #pragma omp parallel for schedule(static)
+        for (label i = 0; i < nGranular_; ++i)
+        {
+            buffer_[i] = field[order[i]];
+        }
+        #pragma omp parallel for schedule(static)
+        for (label i = 0; i < nGranular_; ++i)
+        {
+            field[i] = buffer_[i];
+        }
+    };
+
+    permute(r.x);
+    permute(r.y);
+    for (FieldInfo& info : fields_)
+    {
+        if (info.state)
+        {
+            for (scalarField* component : info.components)
+            {
+                permute(*component);
+            }
+        }
+    }
+    for (label i = 0; i < nGranular_; ++i)
+    {
+        idBuffer_[i] = id[order[i]];
+    }
+    std::copy(idBuffer_.begin(), idBuffer_.end(), id.begin());
+}
+
+} // namespace sph

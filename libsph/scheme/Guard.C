@@ -1,0 +1,207 @@
+#include "scheme/Guard.H"
+
+#include "io/caseIO.H"
+
+#include <cmath>
+#include <sstream>
+
+namespace sph
+{
+
+Guard::Guard
+(
+    const dictionary& solution, const Particles& particles,
+    const scalar cP, const scalar rho0
+)
+:
+    cP_(cP),
+    rho0_(rho0)
+{
+    const dictionary& domain = solution.subOrEmptyDict("domain");
+    vector min = particles.r[0], max = particles.r[0];
+    for (const ParticleRange& range : {particles.granular(), particles.walls()})
+    {
+        for (label i = range.begin; i < range.end; ++i)
+        {
+            min = min.cwiseMin(particles.r[i]);
+            max = max.cwiseMax(particles.r[i]);
+        }
+    }
+    const scalar margin = 10*(max - min).norm();
+    min_ = domain.getVectorOrDefault
+    (
+        "min", min - vector::Constant(margin), dimLength
+    );
+    max_ = domain.getVectorOrDefault
+    (
+        "max", max + vector::Constant(margin), dimLength
+    );
+    for (label i = 0; i < particles.granular().end; ++i)
+    {
+        const vector r = particles.r[i];
+        if ((r.array() < min_.array()).any() || (r.array() > max_.array()).any())
+        {
+            domain.fail
+            (
+                "max", "Particle " + std::to_string(particles.id[i])
+              + " starts outside the domain"
+            );
+        }
+    }
+}
+
+// A comparison with a number that is not finite is false
+static bool soundParticle
+(
+    const Particles& P, const label i,
+    const vector& min, const vector& max, const scalar cP, const scalar rho0
+)
+{
+    const scalar USqr = P.U.x[i]*P.U.x[i] + P.U.y[i]*P.U.y[i];
+    return
+        (P.r.x[i] >= min.x()) & (P.r.x[i] <= max.x())
+      & (P.r.y[i] >= min.y()) & (P.r.y[i] <= max.y())
+      & (USqr <= cP*cP)
+      & (P.rho[i] > 0.1*rho0) & (P.rho[i] < 10*rho0)
+      & (std::abs(P.a.x[i]) + std::abs(P.a.y[i]) < 1e30);
+}
+
+void Guard::check(Particles& particles, const Time& runTime)
+{
+    if (sound(particles))
+    {
+        if (runTime.index() % interval == 0)
+        {
+            keep(particles, runTime.value());
+        }
+        return;
+    }
+    const std::string message =
+        diagnosis(particles, runTime.value(), runTime.deltaT());
+    const word name = runTime.timeName(keptTime_);
+    restore(particles);
+    writeState
+    (
+        particles, keptTime_, runTime.caseDir()/name,
+        {
+            runTime.writeAscii(), runTime.writeCompressed(),
+            runTime.writePrecision()
+        }
+    );
+    writeSeries(runTime.caseDir());
+    throw Error
+    (
+        message + "\nThe last good state was written to time " + name + "."
+    );
+}
+
+bool Guard::sound(const Particles& particles) const
+{
+    const label n = particles.granular().end;
+    label bad = 0;
+    #pragma omp parallel for simd schedule(static) reduction(+: bad)
+    for (label i = 0; i < n; ++i)
+    {
+        bad += !soundParticle(particles, i, min_, max_, cP_, rho0_);
+    }
+    return bad == 0;
+}
+
+void Guard::keep(const Particles& particles, const scalar time)
+{
+    const label n = particles.granular().end;
+    keptTime_ = time;
+    keptR_.x.assign(particles.r.x.begin(), particles.r.x.begin() + n);
+    keptR_.y.assign(particles.r.y.begin(), particles.r.y.begin() + n);
+    keptId_.assign(particles.id.begin(), particles.id.begin() + n);
+    std::size_t k = 0;
+    for (const FieldInfo& info : particles.fields())
+    {
+        for (const scalarField* c : info.components)
+        {
+            if (kept_.size() <= k)
+            {
+                kept_.emplace_back();
+            }
+            kept_[k++].assign(c->begin(), c->begin() + n);
+        }
+    }
+}
+
+void Guard::restore(Particles& particles) const
+{
+    std::copy(keptR_.x.begin(), keptR_.x.end(), particles.r.x.begin());
+    std::copy(keptR_.y.begin(), keptR_.y.end(), particles.r.y.begin());
+    std::copy(keptId_.begin(), keptId_.end(), particles.id.begin());
+    std::size_t k = 0;
+    for (const FieldInfo& info : particles.fields())
+    {
+        for (scalarField* c : info.components)
+        {
+            std::copy(kept_[k].begin(), kept_[k].end(), c->begin());
+            ++k;
+        }
+    }
+}
+
+std::string Guard::diagnosis
+(
+    const Particles& particles, const scalar time, const scalar deltaT
+) const
+{
+    label worst = 0;
+    label bad = 0;
+    for (label i = particles.granular().end - 1; i >= 0; --i)
+    {
+        if (!soundParticle(particles, i, min_, max_, cP_, rho0_))
+        {
+            worst = i;
+            ++bad;
+        }
+    }
+    const vector r = particles.r[worst], U = particles.U[worst];
+    const scalar rho = particles.rho[worst];
+    const bool finite =
+        std::isfinite(r.sum()) && std::isfinite(U.sum()) && std::isfinite(rho)
+     && std::isfinite(particles.a[worst].sum());
+    const bool inside =
+        (r.array() >= min_.array()).all() && (r.array() <= max_.array()).all();
+
+    std::ostringstream os;
+    os << "The run went wrong at time " << time << ": " << bad
+        << (bad == 1 ? " particle is" : " particles are")
+        << " not sound, first particle " << particles.id[worst]
+        << " at (" << r.x() << ' ' << r.y() << "): ";
+    if (!finite)
+    {
+        os << "its numbers are not finite";
+    }
+    else if (!inside)
+    {
+        os << "it left the domain (" << min_.x() << ' ' << min_.y()
+            << ") to (" << max_.x() << ' ' << max_.y() << ')';
+    }
+    else if (U.norm() > cP_)
+    {
+        os << "its speed " << U.norm() << " m/s exceeds that of pressure"
+            << " waves, " << cP_ << " m/s";
+    }
+    else
+    {
+        os << "its density is " << rho << " kg/m3, " << rho0_ << " at rest";
+    }
+    os << "\n\nThe step was deltaT = " << deltaT << " s. What to try:\n";
+    if (finite && !inside)
+    {
+        os << "  - a longer wall in constant/boundary where it left, or a"
+            << " larger domain in system/sphSolution\n";
+    }
+    os << "  - a smaller maxCo in system/controlDict (0.2)\n"
+        << "  - a greater KFactor of the equation of state, if speeds come"
+        << " near that of sound\n"
+        << "  - stabilisation, artificialViscosity and shifting other than"
+        << " none in system/sphSchemes\n";
+    return os.str();
+}
+
+} // namespace sph

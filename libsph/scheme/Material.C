@@ -1,0 +1,31 @@
+#include "scheme/Material.H"
+
+#include <cmath>
+#include <iostream>
+
+namespace sph
+{
+
+Material::Material
+(
+    const dictionary& dict, const vector& g, const scalar spacing
+)
+:
+    rho0_(dict.get("rho0", dimDensity, Range::positive())),
+    eos_(EquationOfState::New(dict, "equationOfState", rho0_, g.norm())),
+    rheology_(Rheology::New(dict, "rheology", *eos_)),
+    turbulence_(Turbulence::New(dict, "turbulence", "laminar", spacing))
+{
+    for (const char* entry : {"equationOfState", "rheology", "turbulence"})
+    {
+        std::cout << "Selecting " << entry << ' '
+            << dict.getOrDefault<word>(entry, "laminar") << '\n';
+    }
+}
+
+scalar Material::cP() const
+{
+    return eos_->c()*std::sqrt(1 + rheology_->G()/eos_->K());
+}
+
+} // namespace sph

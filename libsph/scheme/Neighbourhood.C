@@ -1,0 +1,210 @@
+#include "scheme/Neighbourhood.H"
+
+#include <algorithm>
+
+namespace sph
+{
+
+Neighbourhood::Neighbourhood
+(
+    Particles& particles, const Boundaries& boundaries,
+    const scalar cutOff, const scalar skin
+)
+:
+    particles_(particles),
+    boundaries_(boundaries),
+    cutOff_(cutOff),
+    skin_(skin)
+{
+    for (const auto& patch : boundaries.patches())
+    {
+        reflections_.push_back(patch->reflection());
+    }
+}
+
+scalar Neighbourhood::maxDisplacementSqr() const
+{
+    const vectorField& r = particles_.r;
+    const scalar* rx = r.x.data();
+    const scalar* ry = r.y.data();
+    const scalar* bx = rBuilt_.x.data();
+    const scalar* by = rBuilt_.y.data();
+    const label n = particles_.granular().end;
+    scalar largest = 0;
+    #pragma omp parallel for simd schedule(static) reduction(max: largest)
+    for (label i = 0; i < n; ++i)
+    {
+        const scalar dx = rx[i] - bx[i], dy = ry[i] - by[i];
+        const scalar dSqr = dx*dx + dy*dy;
+        largest = dSqr > largest ? dSqr : largest;
+    }
+    return largest;
+}
+
+// Rows of cells keep what is near in space near in memory
+void Neighbourhood::sortGranular()
+{
+    grid_.build(particles_.r, {particles_.granular()}, cutOff_ + skin_);
+    particles_.reorderGranular(grid_.particles());
+    rebuildsSinceSort_ = 0;
+    mustSort_ = false;
+}
+
+// Positions of images from the given one on
+void Neighbourhood::placeImages(const std::size_t first)
+{
+    vectorField& r = particles_.r;
+    const label begin = particles_.ghosts().begin;
+    for (std::size_t k = first; k < images_.size(); ++k)
+    {
+        const Image& image = images_[k];
+        r.set
+        (
+            begin + label(k),
+            reflections_[image.patch]*r[image.source] + image.shift
+        );
+    }
+}
+
+// Images by one patch of a range, and of its images that are there already,
+// the first of which is given
+void Neighbourhood::appendImages
+(
+    const ParticleRange& range, const std::size_t firstImage,
+    const label patchI
+)
+{
+    const Boundary& patch = *boundaries_.patches()[patchI];
+    const scalar reach = cutOff_ + skin_;
+    const label ghostBegin = particles_.ghosts().begin;
+    const std::size_t before = images_.size();
+
+    patch.makeImages(particles_.r, range.begin, range.end, reach, images_);
+    patch.makeImages
+    (
+        particles_.r, ghostBegin + label(firstImage),
+        ghostBegin + label(before), reach, images_
+    );
+    for (std::size_t k = before; k < images_.size(); ++k)
+    {
+        images_[k].patch = patchI;
+    }
+    particles_.resizeGhosts(label(images_.size()));
+    placeImages(before);
+    for (std::size_t k = before; k < images_.size(); ++k)
+    {
+        const label i = ghostBegin + label(k);
+        particles_.m[i] = particles_.m[images_[k].source];
+        particles_.id[i] = particles_.id[images_[k].source];
+        particles_.patch[i] = particles_.patch[images_[k].source];
+    }
+}
+
+// Images of the material first, then of the walls; returns how many are of
+// the material
+label Neighbourhood::makeImages()
+{
+    images_.clear();
+    particles_.resizeGhosts(0);
+    const label nPatches = label(boundaries_.patches().size());
+    for (label patch = 0; patch < nPatches; ++patch)
+    {
+        appendImages(particles_.granular(), 0, patch);
+    }
+    const label nMaterial = label(images_.size());
+    for (label patch = 0; patch < nPatches; ++patch)
+    {
+        appendImages(particles_.walls(), nMaterial, patch);
+    }
+    return nMaterial;
+}
+
+bool Neighbourhood::update()
+{
+    const scalar limit = 0.5*skin_;
+    const bool sizeKnown =
+        label(rBuilt_.x.size()) >= particles_.granular().end;
+    if (!mustSort_ && sizeKnown && maxDisplacementSqr() < limit*limit)
+    {
+        placeImages(0);
+        return false;
+    }
+
+    for (const auto& patch : boundaries_.patches())
+    {
+        patch->wrap(particles_);
+    }
+    if (mustSort_ || ++rebuildsSinceSort_ >= 10)
+    {
+        sortGranular();
+    }
+    const label nMaterial = makeImages();
+
+    const ParticleRange granular = particles_.granular();
+    const ParticleRange walls = particles_.walls();
+    const ParticleRange ghosts = particles_.ghosts();
+    const ParticleRange material[2] =
+        {granular, {ghosts.begin, ghosts.begin + nMaterial}};
+    const ParticleRange all[2] = {{0, particles_.null()}, {0, 0}};
+    const scalar reach = cutOff_ + skin_;
+
+    grid_.build(particles_.r, {granular, walls, ghosts}, reach);
+    granularPairs_.build
+    (
+        particles_.r, granular, grid_, all, reach, particles_.null()
+    );
+    wallPairs_.build
+    (
+        particles_.r, walls, grid_, material, reach, particles_.null()
+    );
+    rBuilt_.x.assign
+    (
+        particles_.r.x.begin(), particles_.r.x.begin() + granular.end
+    );
+    rBuilt_.y.assign
+    (
+        particles_.r.y.begin(), particles_.r.y.begin() + granular.end
+    );
+    ++rebuilds_;
+    return true;
+}
+
+void Neighbourhood::refreshImages(const std::vector<const FieldInfo*>& fields)
+{
+    const label begin = particles_.ghosts().begin;
+    for (const FieldInfo* info : fields)
+    {
+        const auto& c = info->components;
+        for (std::size_t k = 0; k < images_.size(); ++k)
+        {
+            const label from = images_[k].source;
+            const label to = begin + label(k);
+            const tensor& R = reflections_[images_[k].patch];
+            if (info->kind == FieldKind::scalar)
+            {
+                (*c[0])[to] = (*c[0])[from];
+            }
+            else if (info->kind == FieldKind::vector)
+            {
+                const vector v = R*vector((*c[0])[from], (*c[1])[from]);
+                (*c[0])[to] = v.x();
+                (*c[1])[to] = v.y();
+            }
+            else
+            {
+                const bool symmetric = info->kind == FieldKind::symmTensor;
+                const label yx = symmetric ? 1 : 2, yy = symmetric ? 2 : 3;
+                tensor t;
+                t << (*c[0])[from], (*c[1])[from],
+                     (*c[yx])[from], (*c[yy])[from];
+                t = (R*t*R.transpose()).eval();
+                (*c[0])[to] = t(0, 0);
+                (*c[1])[to] = t(0, 1);
+                (*c[yx])[to] = t(1, 0);
+                (*c[yy])[to] = t(1, 1);
+            }
+        }
+    }
+}
+
+} // namespace sph

@@ -1,0 +1,66 @@
+#include "scheme/timeStep.H"
+
+#include <cmath>
+#include <iostream>
+
+namespace sph
+{
+
+TimeStep::TimeStep
+(
+    const dictionary& solution, const Material& material, const scalar h
+)
+:
+    h_(h),
+    cP_(material.cP()),
+    viscousLimit_
+    (
+        solution.getOrDefault("viscousLimit", true)
+     && !material.rheology().elastic()
+    ),
+    viscousNumber_
+    (
+        solution.getOrDefault("viscousNumber", 0.1, dimless, Range::positive())
+    )
+{}
+
+scalar TimeStep::stable(const Particles& particles) const
+{
+    scalar step = h_/cP_;
+    if (viscousLimit_)
+    {
+        const label n = particles.granular().end;
+        scalar nuMax = 0;
+        #pragma omp parallel for simd schedule(static) reduction(max: nuMax)
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar nu = particles.eta[i]/particles.rho[i];
+            nuMax = nu > nuMax ? nu : nuMax;
+        }
+        if (nuMax > 0)
+        {
+            step = std::min(step, viscousNumber_*h_*h_/nuMax);
+        }
+    }
+    return step;
+}
+
+void TimeStep::printCourant
+(
+    const Particles& particles, const scalar deltaT
+) const
+{
+    const label n = particles.granular().end;
+    scalar largest = 0, sum = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        const scalar magU = std::hypot(particles.U.x[i], particles.U.y[i]);
+        largest = std::max(largest, magU);
+        sum += magU;
+    }
+    const scalar f = deltaT/h_;
+    std::cout << "Courant Number mean: " << f*(cP_ + sum/std::max(n, 1))
+        << " max: " << f*(cP_ + largest) << '\n';
+}
+
+} // namespace sph

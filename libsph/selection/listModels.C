@@ -1,0 +1,25 @@
+#include "selection/listModels.H"
+
+#include "selection/Selectable.H"
+
+#include <iomanip>
+#include <ostream>
+
+namespace sph
+{
+
+void listModels(std::ostream& os)
+{
+    for (const auto& [family, table] : SelectionTables::all())
+    {
+        os << family << '\n';
+        for (const auto& [keyword, description] : table)
+        {
+            os << "    " << std::left << std::setw(26) << keyword
+                << description << '\n';
+        }
+        os << '\n';
+    }
+}
+
+} // namespace sph

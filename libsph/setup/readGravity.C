@@ -1,0 +1,38 @@
+#include "setup/readGravity.H"
+
+#include "dictionary/dictionary.H"
+
+namespace sph
+{
+
+// The factor from the entry dimensions to SI units
+static scalar readUnit(const dictionary& dict)
+{
+    const std::string dimensions = dict.valueText("dimensions");
+    try
+    {
+        return dictionary::fromString("unit " + dimensions + " 1;").get
+        (
+            "unit", dimAcceleration
+        );
+    }
+    catch (const IOError&)
+    {
+        dict.fail
+        (
+            "dimensions",
+            "The dimensions of an acceleration are " + dimAcceleration.str()
+          + ", not " + dimensions
+        );
+    }
+}
+
+vector readGravity(const std::filesystem::path& caseDir)
+{
+    const dictionary dict = dictionary::fromFile(caseDir/"constant"/"g");
+    const vector g = readUnit(dict)*dict.get<vector>("value");
+    dict.refuseUnused();
+    return g;
+}
+
+} // namespace sph

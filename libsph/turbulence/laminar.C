@@ -1,0 +1,24 @@
+// No sub-particle-scale stress.
+//
+//     turbulence  laminar;
+
+#include "turbulence/Turbulence.H"
+
+namespace sph
+{
+
+class laminar : public Turbulence
+{
+public:
+    laminar(const dictionary&, scalar)
+    {}
+
+    void addStress(Particles&, const ParticleRange&) const override {}
+};
+
+static const Turbulence::Add<laminar> add
+(
+    "laminar", "no sub-particle-scale stress"
+);
+
+} // namespace sph

@@ -1,0 +1,26 @@
+// div(s), s = 2 eta D with the corrected velocity gradient: the form for every
+// elastic law, and the consistent one where eta varies.
+//
+//     viscousScheme  stressDivergence;
+
+#include "viscousSchemes/ViscousScheme.H"
+
+namespace sph
+{
+
+class stressDivergence : public ViscousScheme
+{
+public:
+    stressDivergence(const dictionary&, PairWalk&)
+    {}
+
+    bool stressCarriesShear() const override { return true; }
+    void evaluate(const PairBlock&) override {}
+};
+
+static const ViscousScheme::Add<stressDivergence> add
+(
+    "stressDivergence", "divergence of the stress 2 eta D, or of an elastic one"
+);
+
+} // namespace sph
