@@ -67,17 +67,7 @@ Report::Report
     lawName_(dict.getOrDefault<word>("law", "none")),
     law_(RunoutLaw::New(dict, "law", "none")),
     tolerance_(dict.getOrDefault("tolerance", 1e-3, dimless, Range::positive())),
-    folder_(folder),
-    rows_
-    (
-        folder.path()/"runout.dat",
-        {
-            "Time [s], lengths [m], energies [J/m], volume [m2]",
-            "L0 " + shortText(gauge.L0()) + "  H0 " + shortText(gauge.H0())
-          + "  threshold " + shortText(gauge.threshold())
-        },
-        rowColumns
-    )
+    folder_(folder)
 {
     const dictionary& bands = dict.subOrEmptyDict("band");
     for (const word quantity : {"runout", "height", "stopTime"})
@@ -90,7 +80,22 @@ Report::Report
             );
         }
     }
+}
 
+
+void Report::begin()
+{
+    rows_ = std::make_unique<DataFile>
+    (
+        folder_.path()/"runout.dat",
+        wordList
+        {
+            "Time [s], lengths [m], energies [J/m], volume [m2]",
+            "L0 " + shortText(gauge_.L0()) + "  H0 " + shortText(gauge_.H0())
+          + "  threshold " + shortText(gauge_.threshold())
+        },
+        rowColumns
+    );
     std::cout
         << "L0 = " << gauge_.L0() << " m, H0 = " << gauge_.H0()
         << " m, a = H0/L0 = " << aspectRatio()
@@ -108,6 +113,10 @@ void Report::add
     const Particles& particles, const Energies& now
 )
 {
+    if (!rows_)
+    {
+        begin();
+    }
     last_ = std::make_unique<Deposit>(gauge_.measure(particles));
     mobilised_ = gauge_.mobilised(particles);
     const scalar lost = start_.total() - now.total();
@@ -125,7 +134,7 @@ void Report::add
     scientific(now.kinetic, 16);
     std::cout << std::endl;
 
-    rows_.write
+    rows_->write
     ({
         time, time/gauge_.tc(), last_->front.left, last_->front.right,
         last_->runout, last_->height, last_->heightAtOrigin, mobilised_,
@@ -238,15 +247,17 @@ std::pair<label, label> Report::summarise()
 
 void Report::printDetails() const
 {
-    const scalar threshold = gauge_.threshold();
     std::cout << std::setprecision(4)
-        << "\nRun-out with half and twice the threshold: "
-        << gauge_.runout(last_->profile, 0.5*threshold) << ", "
-        << gauge_.runout(last_->profile, 2*threshold)
+        << "\nRun-out with three times the threshold: "
+        << gauge_.runout(*last_, 3*gauge_.threshold())
         << "\nMobilised fraction of the mass: " << mobilised_
-        << "\nDissipated part of the potential energy released: ";
+        << "\nDissipated over released potential energy: ";
     cell(lost_, 0, 3);
-    if (times_.size() < 2 || stopTime() != stopTime())
+    if (times_.size() < 2)
+    {
+        std::cout << "\nThe time of stopping takes more than one time";
+    }
+    else if (stopTime() != stopTime())
     {
         std::cout
             << "\nThe front has not come to rest within these times: its"
@@ -255,8 +266,7 @@ void Report::printDetails() const
     else
     {
         std::cout
-            << "\nThe time of stopping is known to the interval of writing,"
-               " here\n" << times_.back() - times_[times_.size() - 2] << " s";
+            << "\nThe time of stopping is known to the interval of writing";
     }
     std::cout << "\n\n" << std::setprecision(6);
 }

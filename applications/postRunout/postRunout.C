@@ -5,7 +5,7 @@
 //         system/postRunoutDict (deposit/DepositGauge.H, runoutLaws/), e.g.
 //
 //             L0 0.0972; H0 0.0875; origin (0 0 0); side right;
-//             thresholdByDx 1;
+//             thresholdByDx 0.5;
 //             law Lube2005;  band { runout 0.10; height 0.05; }
 //
 // Writes  postProcessing/postRunout/<first time>/runout.dat, summary.dat,
@@ -71,7 +71,7 @@ static int postRunout(int argc, char* argv[])
 
     Particles particles;
     snapshots.front().read(particles);
-    const Material material = readMaterial(*dict, caseDir, particles);
+    const MaterialConstants material = readMaterial(*dict, caseDir, particles);
     const auto& [rho0, g, K] = material;
     const DepositGauge gauge(*dict, particles, rho0, g);
 

@@ -127,7 +127,7 @@ static scalar readK
 }
 
 
-Material readMaterial
+MaterialConstants readMaterial
 (
     const dictionary& dict, const fs::path& caseDir, const Particles& start
 )

@@ -13,6 +13,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class Monaghan : public ArtificialViscosity
 {
@@ -70,4 +72,5 @@ static const ArtificialViscosity::Add<Monaghan> add
     "Monaghan", "Monaghan's viscosity between approaching particles"
 );
 
+} // namespace
 } // namespace sph

@@ -16,6 +16,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class gradientCorrected : public ArtificialViscosity
 {
@@ -89,4 +91,5 @@ static const ArtificialViscosity::Add<gradientCorrected> add
     "gradientCorrected", "sub-grid viscosity without the linear part of U"
 );
 
+} // namespace
 } // namespace sph

@@ -6,6 +6,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class noArtificialViscosity : public ArtificialViscosity
 {
@@ -34,4 +36,5 @@ static const ArtificialViscosity::Add<noArtificialViscosity> add
     "none", "no numerical dissipation"
 );
 
+} // namespace
 } // namespace sph

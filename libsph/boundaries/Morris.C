@@ -15,6 +15,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class Morris : public Wall
 {
@@ -56,4 +58,5 @@ static const Boundary::Add<Morris> add
     "Morris", "the paper's rough wall with betaMax, Eqs. 21-23"
 );
 
+} // namespace
 } // namespace sph

@@ -11,6 +11,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class freeSlip : public Wall
 {
@@ -35,4 +37,5 @@ static const Boundary::Add<freeSlip> add
     "freeSlip", "smooth wall, normal velocity mirrored"
 );
 
+} // namespace
 } // namespace sph

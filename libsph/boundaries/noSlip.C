@@ -11,6 +11,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class noSlip : public Wall
 {
@@ -32,4 +34,5 @@ static const Boundary::Add<noSlip> add
     "noSlip", "rough wall, velocity mirrored after Adami et al."
 );
 
+} // namespace
 } // namespace sph

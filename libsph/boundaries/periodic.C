@@ -9,6 +9,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class periodic : public Boundary
 {
@@ -84,4 +86,5 @@ static const Boundary::Add<periodic> add
     "periodic", "what leaves at one plane enters at the other"
 );
 
+} // namespace
 } // namespace sph

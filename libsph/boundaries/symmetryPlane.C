@@ -8,6 +8,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class symmetryPlane : public Boundary
 {
@@ -89,4 +91,5 @@ static const Boundary::Add<symmetryPlane> add
     "symmetryPlane", "mirror plane"
 );
 
+} // namespace
 } // namespace sph

@@ -14,6 +14,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class bulkBlended : public Correction
 {
@@ -59,4 +61,5 @@ static const Correction::Add<bulkBlended> add
     "bulkBlended", "corrected gradients; divergence corrected in the bulk only"
 );
 
+} // namespace
 } // namespace sph

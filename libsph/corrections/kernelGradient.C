@@ -11,6 +11,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class kernelGradient : public Correction
 {
@@ -37,4 +39,5 @@ static const Correction::Add<kernelGradient> add
     "kernelGradient", "gradients exact for linear fields, Eqs. 12-13"
 );
 
+} // namespace
 } // namespace sph

@@ -6,6 +6,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class uncorrected : public Correction
 {
@@ -31,4 +33,5 @@ static const Correction::Add<uncorrected> add
     "none", "plain kernel gradients"
 );
 
+} // namespace
 } // namespace sph

@@ -6,6 +6,10 @@
 namespace sph
 {
 
+// Samples of the sliding mean in its width; even, so that one lies at x = 0
+static constexpr label samples = 8;
+
+
 static BedLine readBed(const dictionary& dict)
 {
     const vector origin =
@@ -26,7 +30,7 @@ static scalar readThreshold(const dictionary& dict, const scalar dx)
     {
         return dx*dict.getOrDefault
         (
-            "thresholdByDx", 1, dimless, Range::positive()
+            "thresholdByDx", 0.5, dimless, Range::positive()
         );
     }
     if (dict.found("thresholdByDx"))
@@ -66,7 +70,7 @@ DepositGauge::DepositGauge
         "mobilisedByDx", 1, dimless, Range::positive()
     );
 
-    const Profile profile(start, bed_, rho0, binWidth_);
+    const Profile profile = slidingMean(start);
     const scalar H = profile.h(profile.thickest());
     H0_ = dict.getOrDefault("H0", H, dimLength, Range::positive());
     L0_ = dict.getOrDefault
@@ -90,15 +94,15 @@ DepositGauge::DepositGauge
 
 Deposit DepositGauge::measure(const Particles& particles) const
 {
-    Profile profile(particles, bed_, rho0_, binWidth_);
-    const Fronts front = fronts(profile, threshold_);
+    Profile mean = slidingMean(particles);
+    const Fronts front = fronts(mean, threshold_);
     const scalar reached = reach(front);
-    const scalar height = profile.h(profile.thickest());
-    const scalar atOrigin = heightAtOrigin(profile);
+    const scalar height = mean.h(mean.thickest());
+    const scalar atOrigin = heightAtOrigin(mean);
     return
     {
-        std::move(profile), front, reached, (reached - L0_)/L0_,
-        height, atOrigin
+        Profile(particles, bed_, rho0_, binWidth_), std::move(mean),
+        front, reached, (reached - L0_)/L0_, height, atOrigin
     };
 }
 
@@ -111,10 +115,17 @@ scalar DepositGauge::mobilised(const Particles& particles) const
 
 scalar DepositGauge::runout
 (
-    const Profile& profile, const scalar threshold
+    const Deposit& deposit, const scalar threshold
 ) const
 {
-    return (reach(fronts(profile, threshold)) - L0_)/L0_;
+    return (reach(fronts(deposit.slidingMean, threshold)) - L0_)/L0_;
+}
+
+
+Profile DepositGauge::slidingMean(const Particles& particles) const
+{
+    return
+        Profile(particles, bed_, rho0_, binWidth_/samples).movingMean(samples);
 }
 
 
@@ -129,16 +140,13 @@ scalar DepositGauge::reach(const Fronts& front) const
 }
 
 
-scalar DepositGauge::heightAtOrigin(const Profile& profile) const
+scalar DepositGauge::heightAtOrigin(const Profile& mean) const
 {
-    // An edge between bins lies at the origin
-    const label right = profile.bin(0.5*profile.binWidth());
-    switch (side_)
-    {
-        case Side::right: return profile.h(right);
-        case Side::left: return profile.h(right - 1);
-        default: return 0.5*(profile.h(right - 1) + profile.h(right));
-    }
+    // Nothing may lie behind the origin of a column that falls to one side
+    const scalar half = 0.5*binWidth_;
+    const scalar x =
+        side_ == Side::right ? half : side_ == Side::left ? -half : 0;
+    return mean.h(mean.bin(x));
 }
 
 } // namespace sph

@@ -103,6 +103,20 @@ label Profile::thickest() const
 }
 
 
+Profile Profile::movingMean(const label n) const
+{
+    std::vector<scalar> mean(size() + n - 1, 0);
+    for (label i = 0; i < size(); ++i)
+    {
+        for (label k = i; k < i + n; ++k)
+        {
+            mean[k] += thickness_[i]/n;
+        }
+    }
+    return {begin_ - 0.5*(n - 1)*binWidth_, binWidth_, std::move(mean)};
+}
+
+
 scalar Profile::volume() const
 {
     return

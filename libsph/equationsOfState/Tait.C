@@ -15,6 +15,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class Tait : public EquationOfState
 {
@@ -64,4 +66,5 @@ static const EquationOfState::Add<Tait> add
     "Tait", "p = K/gamma ((rho/rho0)^gamma - 1), stiffens with compression"
 );
 
+} // namespace
 } // namespace sph

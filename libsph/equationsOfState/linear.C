@@ -15,6 +15,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class linear : public EquationOfState
 {
@@ -60,4 +62,5 @@ static const EquationOfState::Add<linear> add
     "linear", "p = K (rho/rho0 - 1), Eq. 7"
 );
 
+} // namespace
 } // namespace sph

@@ -13,6 +13,8 @@
 
 namespace sph
 {
+namespace
+{
 
 static Energies startEnergies(const Scene& scene)
 {
@@ -79,4 +81,5 @@ static const FunctionObject::Add<energies> add
     "energies", "kinetic, potential, elastic energy, momentum and mass"
 );
 
+} // namespace
 } // namespace sph

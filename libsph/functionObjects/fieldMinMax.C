@@ -10,6 +10,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class fieldMinMax : public FunctionObject
 {
@@ -102,4 +104,5 @@ static const FunctionObject::Add<fieldMinMax> add
     "fieldMinMax", "least and greatest value of fields, with their places"
 );
 
+} // namespace
 } // namespace sph

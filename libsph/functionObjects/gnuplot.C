@@ -23,9 +23,7 @@ static std::string shellQuoted(const std::string& text)
 
 static bool gnuplotThere()
 {
-    static const bool there =
-        std::system("command -v gnuplot > /dev/null 2>&1") == 0;
-    return there;
+    return std::system("command -v gnuplot > /dev/null 2>&1") == 0;
 }
 
 

@@ -18,6 +18,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class image : public FunctionObject
 {
@@ -86,4 +88,5 @@ static const FunctionObject::Add<image> add
     "image", "picture (PNG) of the particles, coloured by a field"
 );
 
+} // namespace
 } // namespace sph

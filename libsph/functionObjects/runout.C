@@ -3,7 +3,7 @@
 //     runout
 //     {
 //         type  runout;   executeInterval 20;
-//         origin (0 0 0); side right; L0 0.0972; H0 0.0875; thresholdByDx 1;
+//         origin (0 0 0); side right; L0 0.0972; H0 0.0875;
 //         profileInterval 0;      // h(x) at every n-th call; 0: never
 //     }
 //
@@ -15,6 +15,8 @@
 #include "functionObjects/FunctionObject.H"
 
 namespace sph
+{
+namespace
 {
 
 static DepositGauge gaugeOf(const dictionary& dict, const Scene& scene)
@@ -112,4 +114,5 @@ static const FunctionObject::Add<runout> add
     "runout", "front, run-out, height and surface profile of a deposit"
 );
 
+} // namespace
 } // namespace sph

@@ -22,6 +22,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class stopWhenAtRest : public FunctionObject
 {
@@ -129,4 +131,5 @@ static const FunctionObject::Add<stopWhenAtRest> add
     "stopWhenAtRest", "ends the run when the deposit has come to rest"
 );
 
+} // namespace
 } // namespace sph

@@ -8,6 +8,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class symplecticEuler : public Integrator
 {
@@ -29,4 +31,5 @@ static const Integrator::Add<symplecticEuler> add
     "symplecticEuler", "U += dt a, r += dt U: one force evaluation a step"
 );
 
+} // namespace
 } // namespace sph

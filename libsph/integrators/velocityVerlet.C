@@ -11,6 +11,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class velocityVerlet : public Integrator
 {
@@ -35,4 +37,5 @@ static const Integrator::Add<velocityVerlet> add
     "velocityVerlet", "kick, drift, kick: second order in time"
 );
 
+} // namespace
 } // namespace sph

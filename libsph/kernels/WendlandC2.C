@@ -11,6 +11,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class WendlandC2 : public Kernel
 {
@@ -29,7 +31,7 @@ public:
         evaluateRows
         (
             n, rSqr, F, W,
-            [=](const lanes& q, lanes& f, lanes& w)
+            [=](const lanes& q, const lanes&, lanes& f, lanes& w)
             {
                 const lanes t = max(1 - 0.5*q, lanes(0));
                 f = -5*sigma*t*t*t;
@@ -44,4 +46,5 @@ static const Kernel::Add<WendlandC2> add
     "WendlandC2", "Wendland's C2 function of support 2h"
 );
 
+} // namespace
 } // namespace sph

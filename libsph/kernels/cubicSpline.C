@@ -12,6 +12,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class cubicSpline : public Kernel
 {
@@ -30,13 +32,13 @@ public:
         evaluateRows
         (
             n, rSqr, F, W,
-            [=](const lanes& q, lanes& f, lanes& w)
+            [=](const lanes& q, const lanes& invQ, lanes& f, lanes& w)
             {
                 const lanes t = max(lanes(2) - q, lanes(0));
                 const auto inner = q < 1;
                 f = sigma*select
                 (
-                    inner, 2.25*q - 3, -0.75*t*t/max(q, lanes(1))
+                    inner, 2.25*q - 3, -0.75*t*t*invQ
                 );
                 w = sigma*select
                 (
@@ -52,4 +54,5 @@ static const Kernel::Add<cubicSpline> add
     "cubicSpline", "M4 B-spline of support 2h, Eq. 10"
 );
 
+} // namespace
 } // namespace sph

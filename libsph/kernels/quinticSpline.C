@@ -12,6 +12,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class quinticSpline : public Kernel
 {
@@ -36,7 +38,7 @@ public:
         evaluateRows
         (
             n, rSqr, F, W,
-            [=](const lanes& q, lanes& f, lanes& w)
+            [=](const lanes& q, const lanes& invQ, lanes& f, lanes& w)
             {
                 const lanes t3 = max(3 - q, lanes(0));
                 const lanes t2 = max(2 - q, lanes(0));
@@ -46,7 +48,7 @@ public:
                 (
                     q < 1,
                     q*q*(120 - 50*q) - 120,
-                    (30*pow4(t2) - 5*pow4(t3))/max(q, lanes(1))
+                    (30*pow4(t2) - 5*pow4(t3))*invQ
                 );
                 w = sigma*(pow4(t3)*t3 - 6*pow4(t2)*t2 + 15*pow4(t1)*t1);
             }
@@ -59,4 +61,5 @@ static const Kernel::Add<quinticSpline> add
     "quinticSpline", "M6 B-spline of support 3h"
 );
 
+} // namespace
 } // namespace sph

@@ -37,26 +37,43 @@ label PairWalk::recordCount() const
 // One record a particle: position and components, rounded up to cache lines
 void PairWalk::pack()
 {
-    const label size = particles_.size();
-    const std::size_t recordSize = recordCount()*laneCount;
+    const label nRecords = recordCount();
+    const std::size_t recordSize = nRecords*laneCount;
+    const label size = roundUpToLanes(particles_.size());
     records_.resize(size*recordSize);
-    const label nComponents = label(components_.size());
+
+    std::vector<const scalar*>& columns = columns_;
+    columns.assign(recordSize, particles_.r.x.data());
+    columns[1] = particles_.r.y.data();
+    for (std::size_t c = 0; c < components_.size(); ++c)
+    {
+        columns[2 + c] = components_[c]->data();
+    }
 
     #pragma omp parallel for schedule(static)
-    for (label i = 0; i < size; ++i)
+    for (label i = 0; i < size; i += laneCount)
     {
-        scalar* record = &records_[i*recordSize];
-        record[0] = particles_.r.x[i];
-        record[1] = particles_.r.y[i];
-        for (label c = 0; c < nComponents; ++c)
+        for (label record = 0; record < nRecords; ++record)
         {
-            record[2 + c] = (*components_[c])[i];
+            laneRow rows[laneCount];
+            for (label c = 0; c < laneCount; ++c)
+            {
+                rows[c] = loadRow(columns[record*laneCount + c] + i);
+            }
+            transpose(rows);
+            for (label lane = 0; lane < laneCount; ++lane)
+            {
+                storeRow
+                (
+                    rows[lane],
+                    &records_[(i + lane)*recordSize + record*laneCount]
+                );
+            }
         }
     }
 }
 
-// Buffer of a block: [r.x r.y components... padding][rSqr][F][W], each of
-// stride scalars
+// Buffer of a block, stride scalars each: [r.x r.y components... rSqr F W]
 void PairWalk::fetchPacked
 (
     const PairList::Slice& slice, PairBlock& block
@@ -64,17 +81,46 @@ void PairWalk::fetchPacked
 {
     const label nRecords = recordCount();
     const std::size_t recordSize = nRecords*laneCount;
+    const label nComponents = label(components_.size());
+    const laneRow xi = loadRow(&particles_.r.x[block.first]);
+    const laneRow yi = loadRow(&particles_.r.y[block.first]);
+
+    const auto fetch = [&]
+    (
+        const label k, const label record, laneRow (&rows)[laneCount]
+    )
+    {
+        const label* index = slice.rows + k*laneCount;
+        const scalar* base = records_.data() + record*laneCount;
+        for (label lane = 0; lane < laneCount; ++lane)
+        {
+            rows[lane] = loadRow(base + index[lane]*recordSize);
+        }
+        transpose(rows);
+    };
+
     for (label k = 0; k < slice.n; ++k)
     {
-        for (label c = 0; c < nRecords; ++c)
+        laneRow rows[laneCount];
+        fetch(k, 0, rows);
+        const laneRow x = xi - rows[0], y = yi - rows[1];
+        storeRow(x, block.r_ + k*laneCount);
+        storeRow(y, block.r_ + block.stride_ + k*laneCount);
+        storeRow(x*x + y*y, block.rSqr_ + k*laneCount);
+
+        scalar* values = block.values_ + k*laneCount;
+        for (label c = 0; c < std::min(nComponents, laneCount - 2); ++c)
         {
-            transposeRecords
-            (
-                records_.data() + c*laneCount, recordSize,
-                slice.rows + k*laneCount,
-                block.r_ + c*laneCount*block.stride_ + k*laneCount,
-                block.stride_
-            );
+            storeRow(rows[2 + c], values + c*block.stride_);
+        }
+        for (label record = 1; record < nRecords; ++record)
+        {
+            fetch(k, record, rows);
+            const label first = record*laneCount - 2;
+            for (label c = 0; c < std::min(nComponents - first, laneCount); ++c)
+            {
+                storeRow(rows[c], values + (first + c)*block.stride_);
+            }
         }
     }
 }
@@ -94,21 +140,17 @@ void PairWalk::fetchDirect
     };
     fetch(particles_.r.x, block.r_);
     fetch(particles_.r.y, block.r_ + block.stride_);
-    for (std::size_t c = 0; c < components_.size(); ++c)
-    {
-        fetch(*components_[c], block.values_ + c*block.stride_);
-    }
-}
-
-// r_ij = r_i - r_j in place of r_j
-void PairWalk::setGeometry(const vectorLanes& ri, PairBlock& block)
-{
-    for (label k = 0; k < block.n; ++k)
+    const vectorLanes ri = load(particles_.r, block.first);
+    for (label k = 0; k < slice.n; ++k)
     {
         const vectorLanes rij = ri - block.r(k);
         store(rij.x, block.r_ + k*laneCount);
         store(rij.y, block.r_ + block.stride_ + k*laneCount);
         store(rij & rij, block.rSqr_ + k*laneCount);
+    }
+    for (std::size_t c = 0; c < components_.size(); ++c)
+    {
+        fetch(*components_[c], block.values_ + c*block.stride_);
     }
 }
 
@@ -119,7 +161,7 @@ void PairWalk::run(const PairList& list, const Kernel& kernel)
         pack();
     }
     buffers_.resize(omp_get_max_threads());
-    const label nComponents = recordCount()*laneCount;
+    const label nComponents = label(components_.size());
     const label nSlices = label(list.slices().size());
 
     #pragma omp parallel
@@ -133,14 +175,14 @@ void PairWalk::run(const PairList& list, const Kernel& kernel)
 
             PairBlock block;
             block.stride_ = slice.n*laneCount;
-            const std::size_t size = (nComponents + 3)*block.stride_;
+            const std::size_t size = (nComponents + 5)*block.stride_;
             if (buffer.size() < size)
             {
                 buffer.resize(size);
             }
             block.r_ = buffer.data();
             block.values_ = block.r_ + 2*block.stride_;
-            block.rSqr_ = block.r_ + nComponents*block.stride_;
+            block.rSqr_ = block.values_ + nComponents*block.stride_;
             block.F_ = block.rSqr_ + block.stride_;
             block.W_ = block.F_ + block.stride_;
 
@@ -154,7 +196,6 @@ void PairWalk::run(const PairList& list, const Kernel& kernel)
             {
                 fetchDirect(slice, block);
             }
-            setGeometry(load(particles_.r, block.first), block);
             kernel.evaluate
             (
                 slice.n, block.rSqr_, block.F_, needsW_ ? block.W_ : nullptr

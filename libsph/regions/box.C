@@ -9,6 +9,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class box : public Outline
 {
@@ -40,4 +42,5 @@ public:
 
 static const Region::Add<box> add("box", "upright rectangle: min, max");
 
+} // namespace
 } // namespace sph

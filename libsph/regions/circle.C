@@ -11,6 +11,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class circle : public Region
 {
@@ -64,4 +66,5 @@ public:
 
 static const Region::Add<circle> add("circle", "disc: centre, radius");
 
+} // namespace
 } // namespace sph

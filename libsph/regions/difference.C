@@ -13,6 +13,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class difference : public Region
 {
@@ -62,4 +64,5 @@ static const Region::Add<difference> add
     "difference", "the first region without the others: regions"
 );
 
+} // namespace
 } // namespace sph

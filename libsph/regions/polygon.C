@@ -11,6 +11,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class polygon : public Outline
 {
@@ -122,4 +124,5 @@ static const Region::Add<polygon> add
     "polygon", "polygon, convex or not: points"
 );
 
+} // namespace
 } // namespace sph

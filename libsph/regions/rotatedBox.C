@@ -11,6 +11,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class rotatedBox : public Outline
 {
@@ -60,4 +62,5 @@ static const Region::Add<rotatedBox> add
     "rotatedBox", "rectangle in any direction: origin, i, j"
 );
 
+} // namespace
 } // namespace sph

@@ -13,6 +13,8 @@
 
 namespace sph
 {
+namespace
+{
 
 // The keyword union is taken by the language
 class unionOf : public Region
@@ -61,4 +63,5 @@ static const Region::Add<unionOf> add
     "union", "what lies in any of the regions: regions"
 );
 
+} // namespace
 } // namespace sph

@@ -11,6 +11,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class DruckerPrager : public ElastoViscoplastic
 {
@@ -44,4 +46,5 @@ static const Rheology::Add<DruckerPrager> add
     "DruckerPrager", "rate-independent friction, no dilation"
 );
 
+} // namespace
 } // namespace sph

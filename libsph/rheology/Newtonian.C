@@ -7,6 +7,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class Newtonian : public GeneralisedNewtonian
 {
@@ -37,4 +39,5 @@ static const Rheology::Add<Newtonian> add
     "Newtonian", "s = 2 eta D with constant eta"
 );
 
+} // namespace
 } // namespace sph

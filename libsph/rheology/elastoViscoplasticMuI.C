@@ -25,6 +25,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class elastoViscoplasticMuI : public ElastoViscoplastic
 {
@@ -72,4 +74,5 @@ static const Rheology::Add<elastoViscoplasticMuI> add
     "elastoViscoplasticMuI", "mu(I) as an elasto-viscoplastic solid; stops"
 );
 
+} // namespace
 } // namespace sph

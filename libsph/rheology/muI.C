@@ -33,6 +33,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class muI : public GeneralisedNewtonian
 {
@@ -126,4 +128,5 @@ static const Rheology::Add<muI> add
     "muI", "local mu(I) law as a generalised Newtonian fluid, Eqs. 35-39"
 );
 
+} // namespace
 } // namespace sph

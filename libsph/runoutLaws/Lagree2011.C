@@ -15,6 +15,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class Lagree2011 : public RunoutLaw
 {
@@ -51,4 +53,5 @@ static const RunoutLaw::Add<Lagree2011> add
     "Lagree2011", "fits to 2D mu(I) continuum simulations"
 );
 
+} // namespace
 } // namespace sph

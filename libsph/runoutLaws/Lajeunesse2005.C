@@ -17,6 +17,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class Lajeunesse2005 : public RunoutLaw
 {
@@ -57,4 +59,5 @@ static const RunoutLaw::Add<Lajeunesse2005> add
     "Lajeunesse2005", "glass beads in a channel, bands from the scatter"
 );
 
+} // namespace
 } // namespace sph

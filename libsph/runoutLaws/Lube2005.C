@@ -16,6 +16,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class Lube2005 : public RunoutLaw
 {
@@ -55,4 +57,5 @@ static const RunoutLaw::Add<Lube2005> add
     "Lube2005", "2D columns of sand, sugar and rice, Eq. 51-53"
 );
 
+} // namespace
 } // namespace sph

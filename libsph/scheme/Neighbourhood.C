@@ -129,7 +129,12 @@ bool Neighbourhood::update()
         placeImages(0);
         return false;
     }
+    rebuild();
+    return true;
+}
 
+void Neighbourhood::rebuild()
+{
     for (const auto& patch : boundaries_.patches())
     {
         patch->wrap(particles_);
@@ -166,7 +171,6 @@ bool Neighbourhood::update()
         particles_.r.y.begin(), particles_.r.y.begin() + granular.end
     );
     ++rebuilds_;
-    return true;
 }
 
 void Neighbourhood::refreshImages(const std::vector<const FieldInfo*>& fields)

@@ -6,6 +6,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class noShifting : public Shifting
 {
@@ -22,4 +24,5 @@ static const Shifting::Add<noShifting> add
     "none", "particles move with their velocity"
 );
 
+} // namespace
 } // namespace sph

@@ -13,6 +13,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class strainRate : public Shifting
 {
@@ -65,4 +67,5 @@ static const Shifting::Add<strainRate> add
     "strainRate", "shifting in proportion to the shear rate"
 );
 
+} // namespace
 } // namespace sph

@@ -14,6 +14,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class deltaSPH : public Stabilisation
 {
@@ -64,4 +66,5 @@ static const Stabilisation::Add<deltaSPH> add
     "deltaSPH", "density diffusion of Antuono et al."
 );
 
+} // namespace
 } // namespace sph

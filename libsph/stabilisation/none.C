@@ -6,6 +6,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class noStabilisation : public Stabilisation
 {
@@ -26,4 +28,5 @@ static const Stabilisation::Add<noStabilisation> add
     "none", "no density diffusion"
 );
 
+} // namespace
 } // namespace sph

@@ -18,6 +18,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class velocityPressureCoupling : public Stabilisation
 {
@@ -87,4 +89,5 @@ static const Stabilisation::Add<velocityPressureCoupling> add
     "velocityPressureCoupling", "the paper's coupling, Eqs. 31-32"
 );
 
+} // namespace
 } // namespace sph

@@ -14,6 +14,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class Smagorinsky : public Turbulence
 {
@@ -58,4 +60,5 @@ static const Turbulence::Add<Smagorinsky> add
     "Smagorinsky", "static Smagorinsky SPS stress, Eqs. 3-5"
 );
 
+} // namespace
 } // namespace sph

@@ -6,6 +6,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class laminar : public Turbulence
 {
@@ -21,4 +23,5 @@ static const Turbulence::Add<laminar> add
     "laminar", "no sub-particle-scale stress"
 );
 
+} // namespace
 } // namespace sph

@@ -13,6 +13,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class Cleary : public ViscousScheme
 {
@@ -59,4 +61,5 @@ static const ViscousScheme::Add<Cleary> add
     "Cleary", "pairwise div(2 eta D), Eq. 16"
 );
 
+} // namespace
 } // namespace sph

@@ -11,6 +11,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class Morris : public ViscousScheme
 {
@@ -52,4 +54,5 @@ static const ViscousScheme::Add<Morris> add
     "Morris", "pairwise div(eta grad U), Eq. 15"
 );
 
+} // namespace
 } // namespace sph

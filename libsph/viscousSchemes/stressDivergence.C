@@ -7,6 +7,8 @@
 
 namespace sph
 {
+namespace
+{
 
 class stressDivergence : public ViscousScheme
 {
@@ -23,4 +25,5 @@ static const ViscousScheme::Add<stressDivergence> add
     "stressDivergence", "divergence of the stress 2 eta D, or of an elastic one"
 );
 
+} // namespace
 } // namespace sph

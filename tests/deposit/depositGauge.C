@@ -45,10 +45,10 @@ static std::vector<vector> mirrored(std::vector<vector> points)
 TEST(DepositGauge, takesLengthAndHeightOfTheColumnFromTheStart)
 {
     const DepositGauge gauge = gaugeOf("", heaps::column(0.2, 0.15, dx));
-    EXPECT_NEAR(gauge.L0(), 0.2, 0.1*dx);
+    EXPECT_NEAR(gauge.L0(), 0.2, 1e-10);
     EXPECT_NEAR(gauge.H0(), 0.15, 1e-10);
     EXPECT_NEAR(gauge.tc(), std::sqrt(0.15/9.81), 1e-10);
-    EXPECT_DOUBLE_EQ(gauge.threshold(), dx);
+    EXPECT_DOUBLE_EQ(gauge.threshold(), 0.5*dx);
 }
 
 
@@ -85,6 +85,25 @@ TEST(DepositGauge, givesTheSameOnEitherSide)
     const Deposit both = measure(gaugeOf("side both;", twoColumns), twoHeaps);
     EXPECT_NEAR(both.runout, right.runout, 1e-10);
     EXPECT_NEAR(both.front.left, -both.front.right, 1e-10);
+}
+
+
+TEST(DepositGauge, doesNotKnowWhereTheBinsLie)
+{
+    const auto heap = heaps::triangle(0.45, 0.13, dx);
+    const DepositGauge gauge = gaugeOf("", heaps::column(0.2, 0.15, dx));
+    const Deposit here = measure(gauge, heap);
+    for (label i = 1; i < 20; ++i)
+    {
+        auto moved = heap;
+        for (vector& point : moved)
+        {
+            point.x() += 0.1*i*dx;
+        }
+        const Deposit there = measure(gauge, moved);
+        EXPECT_NEAR(there.reach, here.reach + 0.1*i*dx, 0.08*dx);
+        EXPECT_NEAR(there.height, here.height, 0.12*dx);
+    }
 }
 
 

@@ -49,14 +49,14 @@ TEST(front, ofATriangleConvergesToTheExactPlace)
 }
 
 
-TEST(front, withAThresholdOfOneParticleConvergesToTheTip)
+TEST(front, withAThresholdOfHalfAParticleConvergesToTheTip)
 {
     const scalar L = 0.4, H = 0.15;
     for (const scalar dx : {0.008, 0.004, 0.002, 0.001})
     {
         const scalar behind =
-            L - frontsOf(heaps::triangle(L, H, dx), dx, dx).right;
-        EXPECT_NEAR(behind, dx*L/H, 1.5*dx) << "dx = " << dx;
+            L - frontsOf(heaps::triangle(L, H, dx), dx, 0.5*dx).right;
+        EXPECT_NEAR(behind, 0.5*dx*L/H, dx) << "dx = " << dx;
     }
 }
 
@@ -65,7 +65,7 @@ TEST(front, isNotMovedByGrainsThatLieApart)
 {
     const scalar dx = 0.004;
     std::vector<vector> points = heaps::triangle(0.4, 0.15, dx);
-    const Fronts alone = frontsOf(points, dx, dx);
+    const Fronts alone = frontsOf(points, dx, 0.5*dx);
 
     points.emplace_back(0.9, 0.5*dx);
     for (label i = 0; i < 8; ++i)   // a second heap, thick but not connected
@@ -74,7 +74,7 @@ TEST(front, isNotMovedByGrainsThatLieApart)
         points.emplace_back(0.6 + dx, (i + 0.5)*dx);
     }
     points.emplace_back(-0.3, 0.5*dx);
-    const Fronts together = frontsOf(points, dx, dx);
+    const Fronts together = frontsOf(points, dx, 0.5*dx);
     EXPECT_NEAR(together.right, alone.right, 1e-12);
     EXPECT_NEAR(together.left, alone.left, 1e-12);
 }
@@ -84,12 +84,12 @@ TEST(front, ofMirroredHeapsAreMirrored)
 {
     const scalar dx = 0.004;
     std::vector<vector> points = heaps::triangle(0.4, 0.15, dx);
-    const Fronts one = frontsOf(points, dx, dx);
+    const Fronts one = frontsOf(points, dx, 0.5*dx);
     for (vector& point : points)
     {
         point.x() *= -1;
     }
-    const Fronts other = frontsOf(points, dx, dx);
+    const Fronts other = frontsOf(points, dx, 0.5*dx);
     EXPECT_NEAR(other.left, -one.right, 1e-12);
     EXPECT_NEAR(other.right, -one.left, 1e-12);
 }

@@ -139,6 +139,26 @@ TEST(Profile, followsTheDirectionOfAnIncline)
 }
 
 
+TEST(Profile, movingMeanIsTheThicknessAroundAPlace)
+{
+    Particles particles(0.004);
+    scatter(particles);
+    const Profile coarse(particles, flat, heaps::rho0, 0.008);
+    for (const label n : {1, 4, 5})
+    {
+        const Profile fine(particles, flat, heaps::rho0, 0.008/n);
+        const Profile mean = fine.movingMean(n);
+        EXPECT_NEAR(mean.volume(), coarse.volume(), 1e-13);
+        for (label bin = 0; bin < coarse.size(); ++bin)
+        {
+            const scalar x = coarse.x(bin);
+            EXPECT_NEAR(mean.x(mean.bin(x)), x, 1e-12);
+            EXPECT_NEAR(mean.h(mean.bin(x)), coarse.h(bin), 1e-12);
+        }
+    }
+}
+
+
 TEST(Profile, refusesWhatHasNoSurface)
 {
     Particles particles(0.01);

@@ -113,6 +113,22 @@ TEST(Overlap, firstAndLastKeepTheirParticles)
     }
 }
 
+TEST(Overlap, whatWasTakenAwayTakesNothingAway)
+{
+    // One column of b is too close to a; the lower particle of c is close to
+    // the top of that column only
+    const Filled filled
+    (
+        "overlap first; regions ("
+        "a { type box; min (0 0 0); max (0.96 0.96 0); }"
+        "b { type box; min (0.944 0 0); max (1.144 0.96 0); }"
+        "c { type box; min (0.96 0.93 0); max (1.06 1.13 0); });"
+    );
+    EXPECT_EQ(filled.count(0), 100u);
+    EXPECT_EQ(filled.count(1), 10u);
+    EXPECT_EQ(filled.count(2), 2u);
+}
+
 TEST(Overlap, adjoiningRegionsDoNotOverlap)
 {
     EXPECT_NO_THROW(Filled("regions (" + a + beside + ");"));

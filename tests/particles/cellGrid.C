@@ -1,0 +1,104 @@
+#include "particles/CellGrid.H"
+#include "support/Lattice.H"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace sph
+{
+
+static CellGrid binned(const Particles& P, const scalar width)
+{
+    CellGrid grid;
+    grid.build(P.r, {P.granular()}, width);
+    return grid;
+}
+
+TEST(cellGrid, holdsEveryParticleOnceWithItsPosition)
+{
+    Particles P(1);
+    place(P, randomPoints(777, {-1, 4}, {2, 5}), 1);
+    const CellGrid grid = binned(P, 0.1);
+    std::vector<bool> seen(777, false);
+    ASSERT_EQ(grid.particles().size(), seen.size());
+    for (std::size_t k = 0; k < seen.size(); ++k)
+    {
+        const label i = grid.particles()[k];
+        EXPECT_FALSE(seen.at(i));
+        seen.at(i) = true;
+        EXPECT_EQ(grid.x()[k], P.r.x[i]);
+        EXPECT_EQ(grid.y()[k], P.r.y[i]);
+    }
+}
+
+// Same cell: in order of index
+TEST(cellGrid, isStable)
+{
+    Particles P(1);
+    place(P, randomPoints(50, {0, 0}, {0.01, 0.01}), 1);
+    const CellGrid grid = binned(P, 1);
+    EXPECT_TRUE
+    (
+        std::is_sorted(grid.particles().begin(), grid.particles().end())
+    );
+}
+
+TEST(cellGrid, rowsOfCellsAreNearInMemory)
+{
+    Particles P(1);
+    Points points = squareLattice({0, 0}, 4, 3, 1);
+    std::reverse(points.begin(), points.end());
+    place(P, points, 1);
+    const CellGrid grid = binned(P, 1);
+    for (label k = 0; k < 12; ++k)
+    {
+        EXPECT_EQ(grid.particles()[k], 11 - k);
+    }
+}
+
+// Whatever lies within one width of a point is in its three runs, once
+TEST(cellGrid, runsHoldWhatIsWithinOneWidth)
+{
+    Particles P(1);
+    const scalar width = 0.2;
+    place(P, randomPoints(400, {0, 0}, {2, 1}), 1);
+    const CellGrid grid = binned(P, width);
+    for (const vector& x : randomPoints(200, {-1, -1}, {3, 2}, 9))
+    {
+        CellGrid::Run runs[3];
+        grid.runsAround(x.x(), x.y(), runs);
+        std::vector<label> count(400, 0);
+        for (const CellGrid::Run& run : runs)
+        {
+            for (label k = run.begin; k < run.end; ++k)
+            {
+                ++count[grid.particles()[k]];
+            }
+        }
+        for (label i = 0; i < 400; ++i)
+        {
+            EXPECT_LE(count[i], 1);
+            if ((P.r[i] - x).norm() < width)
+            {
+                EXPECT_EQ(count[i], 1);
+            }
+        }
+    }
+}
+
+TEST(cellGrid, ofNothingHasEmptyRuns)
+{
+    Particles P(1);
+    place(P, {}, 1);
+    const CellGrid grid = binned(P, 1);
+    CellGrid::Run runs[3];
+    grid.runsAround(0, 0, runs);
+    for (const CellGrid::Run& run : runs)
+    {
+        EXPECT_EQ(run.begin, run.end);
+    }
+    EXPECT_TRUE(grid.particles().empty());
+}
+
+} // namespace sph
