@@ -88,7 +88,15 @@ int main(int argc, char* argv[])
                 material.rho0(), material.eos().K(), particles
             }
         );
-        for (const dictionary* dict : {&properties, &boundary, &schemes, &solution})
+        runTime.controlDict().markUsed("functions");
+        for
+        (
+            const dictionary* dict :
+            {
+                &properties, &boundary, &schemes, &solution,
+                &runTime.controlDict()
+            }
+        )
         {
             dict->refuseUnused();
         }

@@ -1,6 +1,7 @@
 #include "Report.H"
 
 #include "deposit/history.H"
+#include "table.H"
 
 #include <algorithm>
 #include <cmath>
@@ -28,34 +29,6 @@ word Report::Comparison::verdict() const
 }
 
 
-// A number in a column, "-" where there is none
-static void cell
-(
-    const scalar value, const int width, const int digits,
-    const bool sign = false
-)
-{
-    std::cout << std::right << std::setw(width);
-    if (value != value)
-    {
-        std::cout << "-";
-        return;
-    }
-    std::cout
-        << std::fixed << std::setprecision(digits)
-        << (sign ? std::showpos : std::noshowpos) << value
-        << std::noshowpos << std::defaultfloat;
-}
-
-
-static void scientific(const scalar value, const int width)
-{
-    std::cout
-        << std::right << std::scientific << std::setprecision(2)
-        << std::setw(width) << value << std::defaultfloat;
-}
-
-
 Report::Report
 (
     const dictionary& dict, const DepositGauge& gauge,
@@ -66,7 +39,10 @@ Report::Report
     start_(start),
     lawName_(dict.getOrDefault<word>("law", "none")),
     law_(RunoutLaw::New(dict, "law", "none")),
-    tolerance_(dict.getOrDefault("tolerance", 1e-3, dimless, Range::positive())),
+    tolerance_
+    (
+        dict.getOrDefault("tolerance", 1e-3, dimless, Range::positive())
+    ),
     folder_(folder)
 {
     const dictionary& bands = dict.subOrEmptyDict("band");

@@ -58,7 +58,8 @@ static int postRunout(int argc, char* argv[])
         "Run-out and deposit of a collapse, beside the published law.", options
     );
     const fs::path caseDir =
-        args.found("vtp") ? fs::path(args.valueOr("case", ".")) : args.caseDir();
+        args.found("vtp")
+      ? fs::path(args.valueOr("case", ".")) : args.caseDir();
     args.printBanner();
 
     const RunoutDict dict = readRunoutDict(args, caseDir);

@@ -1,24 +1,25 @@
-# VTK from the runtime package (libvtk9.x) and the headers of libvtk9-dev that
+# VTK from its runtime package (libvtk9.x) and the headers of libvtk9-dev that
 # Allrun unpacks into the build folder. Used only with
 #
-#     cmake -DCMAKE_MODULE_PATH=<here> -DSPH_VTK=<folder it was unpacked into>
+#     cmake -DCMAKE_MODULE_PATH=<this folder> -DSPH_VTK=<where they lie>
 #
-# Why: to install libvtk9-dev takes 360 packages more and 1.2 GB, and removes
-# ParaView. Without these two settings CMake takes an installed libvtk9-dev.
+# Without these CMake takes an installed libvtk9-dev. Why not that one: see
+# README.md, Dependencies.
 file(GLOB VTK_INCLUDE_DIR ${SPH_VTK}/usr/include/vtk-9*)
-string(REGEX MATCH "9\\.[0-9]+" VTK_VERSION "${VTK_INCLUDE_DIR}")
+string(REGEX MATCH "9\\.[0-9]+$" VTK_VERSION "${VTK_INCLUDE_DIR}")
 
-# What the components below link to publicly; each is one shared library
+# The components in use and what they link to publicly, a library each
 set(VTK_LIBRARIES "")
 foreach(module
     CommonCore CommonMath CommonTransforms CommonDataModel
     CommonExecutionModel IOXMLParser IOXML
 )
-    find_library(VTK_${module}_LIBRARY
-        NAMES libvtk${module}-${VTK_VERSION}.so.1 NO_CACHE
+    file(GLOB files
+        /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/libvtk${module}-${VTK_VERSION}.so.*
     )
-    if(VTK_${module}_LIBRARY)
-        list(APPEND VTK_LIBRARIES ${VTK_${module}_LIBRARY})
+    if(files)
+        list(GET files 0 file)
+        list(APPEND VTK_LIBRARIES ${file})
         set(VTK_${module}_FOUND TRUE)
     endif()
 endforeach()

@@ -107,6 +107,7 @@ void Particles::setNull(const label i)
             (*component)[i] = 0;
         }
     }
+    rho[i] = 1;     // so that nobody divides by zero
     id[i] = -1;
     patch[i] = -1;
 }

@@ -193,9 +193,7 @@ void Scheme::setStress(const ParticleRange& range)
     for (label i = range.begin; i < range.end; i += laneCount)
     {
         const lanes rho = load(&P.rho[i]);
-        // Gaps hold null particles without density
-        const lanes invRhoSqr =
-            select(rho > 0, 1.0/(max(rho*rho, lanes(1e-30))), lanes(0));
+        const lanes invRhoSqr = 1.0/(rho*rho);
         const lanes pressure = load(&P.p[i]) + load(&P.q[i]);
         store
         (

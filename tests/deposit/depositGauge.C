@@ -84,6 +84,7 @@ TEST(DepositGauge, givesTheSameOnEitherSide)
     for (const vector& point : mirrored(heap)) twoHeaps.push_back(point);
     const Deposit both = measure(gaugeOf("side both;", twoColumns), twoHeaps);
     EXPECT_NEAR(both.runout, right.runout, 1e-10);
+    EXPECT_NEAR(both.reach, right.reach, 1e-10);
     EXPECT_NEAR(both.front.left, -both.front.right, 1e-10);
 }
 

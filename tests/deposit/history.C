@@ -19,6 +19,13 @@ TEST(settlingTime, seesASlowCreep)
     EXPECT_EQ(settlingTime(times, {0, 0.1, 0.2, 0.3, 0.4, 0.5}, 0.25), 3);
 }
 
+TEST(settlingTime, comparesAllLaterValues)
+{
+    const std::vector<scalar> times{0, 1, 2, 3};
+    EXPECT_EQ(settlingTime(times, {1.06, 1.04, 0.8, 1}, 0.25), 1);
+    EXPECT_EQ(settlingTime(times, {0.74, 0.76, 1, 0.9}, 0.25), 1);
+}
+
 TEST(settlingTime, isNoNumberWhileMoving)
 {
     EXPECT_TRUE(std::isnan(settlingTime({0, 1, 2}, {0, 1, 2}, 0.5)));

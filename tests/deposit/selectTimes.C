@@ -42,6 +42,7 @@ TEST(selectTimes, refusesWhatIsNotThere)
     }
     catch (const Error& error)
     {
-        EXPECT_NE(std::string(error.what()).find("0.333333"), std::string::npos);
+        const std::string text = error.what();
+        EXPECT_NE(text.find("0.333333"), std::string::npos);
     }
 }

@@ -111,7 +111,8 @@ TEST(image, keepsScriptAndDataOfThePicture)
     );
     if (std::system("command -v gnuplot > /dev/null 2>&1") == 0)
     {
-        const std::string png = run.dir.text("postProcessing/i/0/image_0.03.png");
+        const std::string png =
+            run.dir.text("postProcessing/i/0/image_0.03.png");
         ASSERT_GT(png.size(), 1000u);
         EXPECT_EQ(png.substr(1, 3), "PNG");
     }
@@ -141,7 +142,10 @@ TEST(image, withoutGnuplotTheRunGoesOn)
     const std::string warnings = testing::internal::GetCapturedStderr();
     const auto first = warnings.find("gnuplot is not there");
     ASSERT_NE(first, std::string::npos);
-    EXPECT_EQ(warnings.find("gnuplot is not there", first + 1), std::string::npos);
+    EXPECT_EQ
+    (
+        warnings.find("gnuplot is not there", first + 1), std::string::npos
+    );
     EXPECT_TRUE(run.dir.has("postProcessing/i/0/image_0.03.gp"));
     EXPECT_FALSE(run.dir.has("postProcessing/i/0/image_0.03.png"));
 }
