@@ -88,7 +88,10 @@ int main(int argc, char* argv[])
                 material.rho0(), material.eos().K(), particles
             }
         );
-        runTime.controlDict().markUsed("functions");
+        if (args.found("noFunctionObjects"))
+        {
+            runTime.controlDict().markUsed("functions");
+        }
         for
         (
             const dictionary* dict :

@@ -35,9 +35,9 @@ void CellGrid::build
             yMax = std::max(yMax, r.y[i]);
         }
     }
-    particle_.resize(n);
-    x_.resize(n);
-    y_.resize(n);
+    particle_.resize(n + laneCount);
+    x_.resize(n + laneCount);
+    y_.resize(n + laneCount);
     if (n == 0)
     {
         nx_ = ny_ = 0;

@@ -1,5 +1,7 @@
 #include "particles/PairList.H"
 
+#include "particles/lanes.H"
+
 #include <omp.h>
 
 #include <algorithm>
@@ -7,40 +9,41 @@
 namespace sph
 {
 
-// The candidates of the grid within reach of (x, y), i itself excepted
-static void collect
+// Indices of the entries of the grid within reach of (x, y)
+static label collect
 (
-    const CellGrid& grid, const ParticleRange candidates[2],
-    const scalar x, const scalar y, const label i,
-    const scalar reachSqr, labelField& found, label& n
+    const CellGrid& grid, const scalar x, const scalar y,
+    const scalar reachSqr, labelField& found
 )
 {
     CellGrid::Run runs[3];
     grid.runsAround(x, y, runs);
-    n = 0;
+    label n = 0;
     for (const CellGrid::Run& run : runs)
     {
-        if (n + run.end - run.begin > label(found.size()))
+        const label nMax = n + run.end - run.begin + laneCount;
+        if (nMax > label(found.size()))
         {
-            found.resize(n + run.end - run.begin);
+            found.resize(2*nMax);
         }
         label* list = found.data();
-        const scalar* xs = grid.x().data();
-        const scalar* ys = grid.y().data();
         const label* indices = grid.particles().data();
-        for (label entry = run.begin; entry < run.end; ++entry)
+        for (label e = run.begin; e < run.end; e += laneCount)
         {
-            const scalar dx = x - xs[entry], dy = y - ys[entry];
-            const label j = indices[entry];
-            list[n] = j;
-            n +=
-                (dx*dx + dy*dy < reachSqr) & (j != i)
-              & (
-                    ((j >= candidates[0].begin) & (j < candidates[0].end))
-                  | ((j >= candidates[1].begin) & (j < candidates[1].end))
-                );
+            const lanes dx = x - loadUnaligned(&grid.x()[e]);
+            const lanes dy = y - loadUnaligned(&grid.y()[e]);
+            n += appendWhereLess
+            (
+                dx*dx + dy*dy, reachSqr, run.end - e, indices + e, list + n
+            );
         }
     }
+    return n;
+}
+
+static bool contains(const ParticleRange& range, const label i)
+{
+    return i >= range.begin && i < range.end;
 }
 
 void PairList::build
@@ -73,10 +76,26 @@ void PairList::build
                 const label i = range.begin + slice*laneCount + lane;
                 if (i < range.end)
                 {
-                    collect
+                    const label all = collect
                     (
-                        grid, candidates, r.x[i], r.y[i], i, reachSqr,
-                        found[lane], n[lane]
+                        grid, r.x[i], r.y[i], reachSqr, found[lane]
+                    );
+                    label* list = found[lane].data();
+                    n[lane] = label
+                    (
+                        std::remove_if
+                        (
+                            list, list + all,
+                            [&](const label j)
+                            {
+                                return
+                                    j == i
+                                 || (
+                                        !contains(candidates[0], j)
+                                     && !contains(candidates[1], j)
+                                    );
+                            }
+                        ) - list
                     );
                 }
                 nMax = std::max(nMax, n[lane]);

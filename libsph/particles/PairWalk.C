@@ -73,7 +73,7 @@ void PairWalk::pack()
     }
 }
 
-// Buffer of a block, stride scalars each: [r.x r.y components... rSqr F W]
+// Buffer of a block, stride scalars each: [r.x r.y components... F W]
 void PairWalk::fetchPacked
 (
     const PairList::Slice& slice, PairBlock& block
@@ -106,7 +106,7 @@ void PairWalk::fetchPacked
         const laneRow x = xi - rows[0], y = yi - rows[1];
         storeRow(x, block.r_ + k*laneCount);
         storeRow(y, block.r_ + block.stride_ + k*laneCount);
-        storeRow(x*x + y*y, block.rSqr_ + k*laneCount);
+        storeRow(x*x + y*y, block.F_ + k*laneCount);
 
         scalar* values = block.values_ + k*laneCount;
         for (label c = 0; c < std::min(nComponents, laneCount - 2); ++c)
@@ -146,7 +146,7 @@ void PairWalk::fetchDirect
         const vectorLanes rij = ri - block.r(k);
         store(rij.x, block.r_ + k*laneCount);
         store(rij.y, block.r_ + block.stride_ + k*laneCount);
-        store(rij & rij, block.rSqr_ + k*laneCount);
+        store(rij & rij, block.F_ + k*laneCount);
     }
     for (std::size_t c = 0; c < components_.size(); ++c)
     {
@@ -175,15 +175,14 @@ void PairWalk::run(const PairList& list, const Kernel& kernel)
 
             PairBlock block;
             block.stride_ = slice.n*laneCount;
-            const std::size_t size = (nComponents + 5)*block.stride_;
+            const std::size_t size = (nComponents + 4)*block.stride_;
             if (buffer.size() < size)
             {
                 buffer.resize(size);
             }
             block.r_ = buffer.data();
             block.values_ = block.r_ + 2*block.stride_;
-            block.rSqr_ = block.values_ + nComponents*block.stride_;
-            block.F_ = block.rSqr_ + block.stride_;
+            block.F_ = block.values_ + nComponents*block.stride_;
             block.W_ = block.F_ + block.stride_;
 
             block.first = list.first() + s*laneCount;
@@ -198,7 +197,7 @@ void PairWalk::run(const PairList& list, const Kernel& kernel)
             }
             kernel.evaluate
             (
-                slice.n, block.rSqr_, block.F_, needsW_ ? block.W_ : nullptr
+                slice.n, block.F_, block.F_, needsW_ ? block.W_ : nullptr
             );
             for (PairTerm* term : terms_)
             {

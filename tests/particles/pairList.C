@@ -1,8 +1,8 @@
 #include "support/Lattice.H"
 #include "support/Pairs.H"
+#include "support/Threads.H"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <algorithm>
 
@@ -238,11 +238,10 @@ TEST(pairList, doesNotDependOnTheNumberOfThreads)
 {
     Particles P(1);
     place(P, randomPoints(1003, {0, 0}, {4, 4}), 1);
-    const int before = omp_get_max_threads();
     std::vector<std::vector<label>> rows;
     for (const int threads : {1, 2, 3})
     {
-        omp_set_num_threads(threads);
+        const Threads set(threads);
         const Pairs pairs(P, 0.4);
         rows.emplace_back();
         for (const PairList::Slice& slice : pairs.list.slices())
@@ -253,7 +252,6 @@ TEST(pairList, doesNotDependOnTheNumberOfThreads)
             );
         }
     }
-    omp_set_num_threads(before);
     EXPECT_GT(rows[0].size(), 10000u);
     EXPECT_EQ(rows[0], rows[1]);
     EXPECT_EQ(rows[0], rows[2]);

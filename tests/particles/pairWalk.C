@@ -1,8 +1,8 @@
 #include "support/Lattice.H"
 #include "support/Pairs.H"
+#include "support/Threads.H"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 namespace sph
 {
@@ -141,36 +141,23 @@ TEST_F(pairWalk, sumsAreThoseOfBruteForce)
     }
 }
 
-TEST_F(pairWalk, bothWaysToFetchGiveTheSameBits)
-{
-    const sums packed = walked(PairWalk::Fetch::packed);
-    const sums direct = walked(PairWalk::Fetch::direct);
-    for (label i = 0; i < P.granular().end; ++i)
-    {
-        EXPECT_EQ(packed.VW[i], direct.VW[i]);
-        EXPECT_EQ(packed.VgradW[i], direct.VgradW[i]);
-        EXPECT_EQ(packed.FU[i], direct.FU[i]);
-        EXPECT_EQ(packed.Vs[i], direct.Vs[i]);
-        EXPECT_EQ(packed.VG[i], direct.VG[i]);
-    }
-}
-
 TEST_F(pairWalk, bitsDoNotDependOnTheNumberOfThreads)
 {
-    const int before = omp_get_max_threads();
-    omp_set_num_threads(1);
-    const sums one = walked(PairWalk::Fetch::packed);
-    for (const int threads : {2, 3})
+    const auto with = [&](const int n)
     {
-        omp_set_num_threads(threads);
-        const sums several = walked(PairWalk::Fetch::packed);
+        const Threads threads(n);
+        return walked(PairWalk::Fetch::packed);
+    };
+    const sums one = with(1);
+    for (const int n : {2, 3})
+    {
+        const sums several = with(n);
         for (label i = 0; i < P.granular().end; ++i)
         {
             EXPECT_EQ(one.VW[i], several.VW[i]);
             EXPECT_EQ(one.FU[i], several.FU[i]);
         }
     }
-    omp_set_num_threads(before);
 }
 
 TEST_F(pairWalk, termsComeInTheOrderOfTheirAddition)

@@ -8,6 +8,7 @@
 namespace sph
 {
 
+// Everything 0, but for a density that may be divided by
 static bool isNull(const Particles& P, const label i)
 {
     scalar sum = P.r[i].norm();
@@ -15,10 +16,10 @@ static bool isNull(const Particles& P, const label i)
     {
         for (const scalarField* c : info.components)
         {
-            sum += std::abs((*c)[i]);
+            sum += info.name == "rho" ? 0 : std::abs((*c)[i]);
         }
     }
-    return sum == 0 && P.id[i] == -1 && P.patch[i] == -1;
+    return sum == 0 && P.rho[i] > 0 && P.id[i] == -1 && P.patch[i] == -1;
 }
 
 static void fill(Particles& P, const ParticleRange& range, const label seed)

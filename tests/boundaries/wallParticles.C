@@ -1,0 +1,309 @@
+#include "boundaries/Boundaries.H"
+
+#include <gtest/gtest.h>
+
+namespace sph
+{
+
+namespace
+{
+
+constexpr scalar dx = 0.1;
+
+Boundaries boundaries(const std::string& text)
+{
+    return Boundaries(dictionary::fromString(text, "boundary"), dx);
+}
+
+// Corners of the unit box
+const char* inside =
+    "box { type noSlip; points ((0 0 0) (1 0 0) (1 1 0) (0 1 0) (0 0 0)); }";
+const char* outside =
+    "box { type noSlip; points ((0 0 0) (0 1 0) (1 1 0) (1 0 0) (0 0 0)); }";
+const char* corner =
+    "corner { type noSlip; points ((0 1 0) (0 0 0) (1 0 0)); }";
+const char* step =
+    "step { type noSlip;"
+    " points ((0 0 0) (0.5 0 0) (0.5 -0.5 0) (1.2 -0.5 0)); }";
+const char* roof =
+    "roof { type noSlip; points ((0 0 0) (0.5 0.3 0) (1 0 0)); }";
+const char* valley =
+    "valley { type noSlip; points ((0 0.4 0) (0.7 0 0) (1.4 0.4 0)); }";
+
+scalar nearest
+(
+    const std::vector<WallParticle>& walls, const vector& r,
+    const WallParticle* except = nullptr
+)
+{
+    scalar best = 1e30;
+    for (const WallParticle& w : walls)
+    {
+        if (&w != except)
+        {
+            best = std::min(best, (w.r - r).norm());
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+TEST(wallParticles, ofAFlatBed)
+{
+    const Boundaries bed = boundaries
+    (
+        "bed { type noSlip; points ((0 0 0) (1 0 0)); layers 4; }"
+    );
+    const auto walls = bed.wallParticles();
+    ASSERT_EQ(walls.size(), 40u);
+    scalar deepest = 0;
+    for (const WallParticle& w : walls)
+    {
+        EXPECT_NEAR(w.r.y(), -w.depth, 1e-14);
+        EXPECT_LT((w.n - vector(0, 1)).norm(), 1e-14);
+        EXPECT_EQ(w.patch, 0);
+        EXPECT_NEAR(nearest(walls, w.r, &w), dx, 1e-12);
+        EXPECT_GT(w.r.x(), 0);
+        EXPECT_LT(w.r.x(), 1);
+        deepest = std::max(deepest, w.depth);
+    }
+    EXPECT_NEAR(deepest, 3.5*dx, 1e-14);
+}
+
+TEST(wallParticles, ofASlopeStandBehindIt)
+{
+    const Boundaries slope = boundaries
+    (
+        "slope { type noSlip; points ((1 2 0) (2 1 0)); }"
+    );
+    const auto walls = slope.wallParticles();
+    EXPECT_EQ(walls.size(), 3u*14u);
+    const vector n = vector(1, 1).normalized();
+    for (const WallParticle& w : walls)
+    {
+        EXPECT_LT((w.n - n).norm(), 1e-14);
+        EXPECT_NEAR((w.r - vector(1, 2)).dot(n), -w.depth, 1e-14);
+        EXPECT_NEAR(slope.distance(w.r).first, -w.depth, 1e-14);
+    }
+}
+
+class cornersOfWalls : public testing::TestWithParam<const char*>
+{};
+
+// Neither overlaps ...
+TEST_P(cornersOfWalls, noTwoParticlesAreTooClose)
+{
+    const auto walls = boundaries(GetParam()).wallParticles();
+    ASSERT_GT(walls.size(), 20u);
+    for (const WallParticle& w : walls)
+    {
+        const scalar d = nearest(walls, w.r, &w);
+        EXPECT_GT(d, 0.7*dx) << w.r.transpose();
+        EXPECT_LT(d, 1.3*dx) << w.r.transpose();
+    }
+}
+
+// ... nor gaps: no point behind the wall is far from its particles
+TEST_P(cornersOfWalls, noPlaceIsEmpty)
+{
+    const Boundaries all = boundaries(GetParam());
+    const auto walls = all.wallParticles();
+    label sampled = 0;
+    for (scalar x = -0.4; x < 1.8; x += 0.021)
+    {
+        for (scalar y = -1; y < 1.4; y += 0.023)
+        {
+            const scalar d = all.distance({x, y}).first;
+            if (d < -0.3*dx && d > -2.7*dx)
+            {
+                EXPECT_LT(nearest(walls, {x, y}), dx) << x << ' ' << y;
+                ++sampled;
+            }
+        }
+    }
+    EXPECT_GT(sampled, 200);
+}
+
+TEST_P(cornersOfWalls, particlesAreBehindTheirWallAndLookOut)
+{
+    const Boundaries all = boundaries(GetParam());
+    for (const WallParticle& w : all.wallParticles())
+    {
+        EXPECT_LT(all.distance(w.r).first, 0) << w.r.transpose();
+        EXPECT_NEAR(w.n.norm(), 1, 1e-14);
+        EXPECT_GT(w.depth, 0.4*dx);
+        EXPECT_LT(w.depth, 2.6*dx);
+        // A step along the normal, depth long, ends at the wall or short of it
+        EXPECT_LT
+        (
+            all.distance(w.r + 0.98*w.depth*w.n).first, 0
+        ) << w.r.transpose();
+    }
+}
+
+TEST_P(cornersOfWalls, nothingStandsInFrontOfTheWall)
+{
+    const Boundaries all = boundaries(GetParam());
+    const auto walls = all.wallParticles();
+    for (scalar x = -0.4; x < 1.8; x += 0.021)
+    {
+        for (scalar y = -1; y < 1.4; y += 0.023)
+        {
+            const scalar d = all.distance({x, y}).first;
+            if (d > 0 && std::isfinite(d))
+            {
+                EXPECT_GT(nearest(walls, {x, y}), 0.49*dx);
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P
+(
+    all, cornersOfWalls,
+    testing::Values(inside, outside, corner, step, roof, valley),
+    [](const auto& info)
+    {
+        const char* names[] =
+            {"boxInside", "boxOutside", "corner", "step", "roof", "valley"};
+        return std::string(names[info.index]);
+    }
+);
+
+TEST(wallParticles, aClosedBoxSurroundsOneSide)
+{
+    for (const WallParticle& w : boundaries(inside).wallParticles())
+    {
+        EXPECT_GT((w.r - vector(0.5, 0.5)).cwiseAbs().maxCoeff(), 0.5);
+        EXPECT_GT(w.n.dot(vector(0.5, 0.5) - w.r), 0);
+    }
+    for (const WallParticle& w : boundaries(outside).wallParticles())
+    {
+        EXPECT_LT((w.r - vector(0.5, 0.5)).cwiseAbs().maxCoeff(), 0.5);
+        EXPECT_LT(w.n.dot(vector(0.5, 0.5) - w.r), 0);
+    }
+    // 3 layers around 10 by 10
+    EXPECT_EQ(boundaries(inside).wallParticles().size(), 16u*16u - 100u);
+}
+
+TEST(wallParticles, twoPatchesShareACorner)
+{
+    const auto walls = boundaries
+    (
+        "bed { type noSlip; points ((-0.3 0 0) (1 0 0)); }"
+        "side { type freeSlip; points ((0 1 0) (0 -0.3 0)); }"
+    ).wallParticles();
+    EXPECT_EQ(walls.size(), 3u*13u + 3u*10u);
+    label patches[2] = {0, 0};
+    for (const WallParticle& w : walls)
+    {
+        EXPECT_NEAR(nearest(walls, w.r, &w), dx, 1e-10);
+        ++patches[w.patch];
+    }
+    EXPECT_EQ(patches[0], 39);
+}
+
+TEST(distanceOfWalls, isPositiveInFrontAndNegativeBehind)
+{
+    const Boundaries box = boundaries(inside), block = boundaries(outside);
+    const std::pair<vector, scalar> points[] =
+    {
+        {{0.5, 0.5}, 0.5}, {{0.5, 0.1}, 0.1}, {{0.03, 0.02}, 0.02},
+        {{0.5, -0.2}, -0.2}, {{1.3, 0.5}, -0.3},
+        {{-0.3, -0.4}, -0.5}, {{1.03, 1.04}, -0.05}
+    };
+    for (const auto& [r, d] : points)
+    {
+        EXPECT_NEAR(box.distance(r).first, d, 1e-12) << r.transpose();
+        EXPECT_NEAR(block.distance(r).first, -d, 1e-12) << r.transpose();
+        EXPECT_EQ(box.distance(r).second, "box");
+    }
+}
+
+// A narrow angle: the point faces one side, and is behind the other's line
+TEST(distanceOfWalls, isPositiveOffASharpEdge)
+{
+    const Boundaries wedge = boundaries
+    (
+        "wedge { type noSlip; points ((0 -0.2 0) (1 0 0) (0 0.2 0) (0 -0.2 0));"
+        " }"
+    );
+    EXPECT_NEAR(wedge.distance({0.5, 0}).first, 0.5/std::sqrt(26.0)*1, 1e-2);
+    EXPECT_LT(wedge.distance({1.1, 0.01}).first, 0);
+    EXPECT_LT(wedge.distance({1.1, -0.01}).first, 0);
+    EXPECT_LT(wedge.distance({1.02, 0.3}).first, 0);
+}
+
+TEST(distanceOfWalls, endsWithAnOpenWall)
+{
+    const Boundaries bed = boundaries
+    (
+        "bed { type noSlip; points ((0 0 0) (1 0 0)); }"
+    );
+    EXPECT_NEAR(bed.distance({0.4, 0.3}).first, 0.3, 1e-14);
+    EXPECT_TRUE(std::isinf(bed.distance({-0.1, 0.3}).first));
+    EXPECT_TRUE(std::isinf(bed.distance({1.1, -0.3}).first));
+}
+
+TEST(distanceOfWalls, isThatOfTheNearestPatch)
+{
+    const Boundaries two = boundaries
+    (
+        "bed { type noSlip; points ((0 0 0) (1 0 0)); }"
+        "axis { type symmetryPlane; point (0 0 0); normal (2 0 0); }"
+        "ends { type periodic; point (0 0 0); translation (5 0 0); }"
+    );
+    EXPECT_EQ(two.distance({0.5, 0.2}).second, "bed");
+    EXPECT_EQ(two.distance({0.1, 0.2}).second, "axis");
+    EXPECT_NEAR(two.distance({0.1, 0.2}).first, 0.1, 1e-14);
+    EXPECT_NEAR(two.distance({-0.3, 0.2}).first, -0.3, 1e-14);
+    EXPECT_TRUE(std::isinf(boundaries("").distance({0, 0}).first));
+}
+
+TEST(wallEntries, areChecked)
+{
+    for
+    (
+        const char* wrong :
+        {
+            "bed { type noSlip; points ((0 0 0)); }",
+            "bed { type noSlip; points ((0 0 0) (0 0 0)); }",
+            "bed { type noSlip; points ((0 0 0) (1 0 0)); layers 0; }",
+            "bed { type noSlip; }",
+            "bed { type sticky; points ((0 0 0) (1 0 0)); }",
+            "axis { type symmetryPlane; point (0 0 0); normal (0 0 0); }",
+            "ends { type periodic; point (0 0 0); translation (0 0 0); }",
+            "bed { type Morris; betaMax 0.5; points ((0 0 0) (1 0 0)); }"
+        }
+    )
+    {
+        EXPECT_THROW(boundaries(wrong), IOError) << wrong;
+    }
+}
+
+// Depths that a start from a file finds again
+TEST(setDepths, findsTheDepthOfEveryLayer)
+{
+    const Boundaries bed = boundaries
+    (
+        "bed { type noSlip; points ((0 1 0) (1 0 0)); }"
+    );
+    const auto walls = bed.wallParticles();
+    Particles P(dx);
+    P.resize(3, label(walls.size()));
+    for (label i = 0; i < P.walls().size(); ++i)
+    {
+        P.r.set(P.walls().begin + i, walls[i].r);
+        P.patch[P.walls().begin + i] = 0;
+    }
+    bed.setDepths(P);
+    for (label i = 0; i < P.walls().size(); ++i)
+    {
+        EXPECT_NEAR(P.depth[P.walls().begin + i], walls[i].depth, 1e-12);
+    }
+    P.patch[P.walls().begin] = 1;
+    EXPECT_THROW(bed.setDepths(P), Error);
+}
+
+} // namespace sph
