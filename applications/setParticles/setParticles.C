@@ -6,6 +6,7 @@
 
 #include "io/caseIO.H"
 #include "runTime/TimeControls.H"
+#include "setup/checkBetweenPlanes.H"
 #include "setup/checkWallDistance.H"
 #include "setup/createParticles.H"
 #include "setup/hydrostatic.H"
@@ -61,6 +62,7 @@ static int setParticles(int argc, char* argv[])
 
     Particles particles(dx);
     createParticles(regions, boundaries, rho0, particles);
+    checkBetweenPlanes(regions, boundaries, particles);
     setHydrostatic(dict, g, *equationOfState, regions, particles);
     setFieldValues(regions, particles);
     correctVolumeAndPressure(*equationOfState, particles);
@@ -69,7 +71,8 @@ static int setParticles(int argc, char* argv[])
 
     std::cout << "\nWriting particles to \"" << time.name << "\"\n";
     const fs::path folder = caseDir/time.name;
-    fs::remove(folder/"uniform"/"time");    // the clock of an earlier run
+    std::error_code ignored;
+    fs::remove(folder/"uniform"/"time", ignored);   // an earlier run's clock
     writeState
     (
         particles, time.value, folder,

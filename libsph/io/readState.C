@@ -143,7 +143,8 @@ bool readState(const std::filesystem::path& folder, Particles& particles)
     const VtkFile granular
     (
         folder/"granular.vtp",
-        "\n\nRun setParticles first: it makes the particles of the start time"
+        "\n\nRemove this time folder to start from the one before it, or run"
+        " setParticles:\nit makes the particles of the start time"
     );
     if (granular.size() == 0)
     {

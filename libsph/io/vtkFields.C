@@ -102,7 +102,7 @@ VtkFile::VtkFile
     }
     catch (const std::exception&)   // bad_alloc, length_error
     {
-        fail("The file is broken: its sizes do not fit into memory");
+        fail("The file is broken: its sizes do not fit into memory" + advice);
     }
     data = reader->GetOutput();
     if (!messages.text().empty() || reader->GetErrorCode() != 0)
@@ -110,7 +110,7 @@ VtkFile::VtkFile
         fail
         (
             "The file is broken, or no VTK XML PolyData (.vtp):\n\n"
-          + messages.text()
+          + messages.text() + advice
         );
     }
 }

@@ -212,8 +212,6 @@ void writeState
 )
 {
     const label digits = options.ascii ? options.precision : 17;
-    writeGranular(particles, time, folder/"granular.vtp", options, digits);
-
     const std::filesystem::path walls = folder/"walls.vtp";
     if (particles.walls().size() > 0)
     {
@@ -224,6 +222,9 @@ void writeState
         std::error_code ignored;
         std::filesystem::remove(walls, ignored);
     }
+
+    // Last: a folder with granular.vtp is complete
+    writeGranular(particles, time, folder/"granular.vtp", options, digits);
 }
 
 } // namespace sph

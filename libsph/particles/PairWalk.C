@@ -1,6 +1,7 @@
 #include "particles/PairWalk.H"
 
 #include "particles/transpose.H"
+#include "primitives/error.H"
 
 #include <omp.h>
 
@@ -8,6 +9,11 @@
 
 namespace sph
 {
+
+// Behind the position
+static constexpr PairWalk::Slot firstSlot = 2;
+
+static constexpr label maxRecords = 4;
 
 PairWalk::Slot PairWalk::neighbour(const std::string& name)
 {
@@ -18,20 +24,29 @@ PairWalk::Slot PairWalk::neighbour(const std::string& name)
     );
     if (iter != components_.end())
     {
-        return label(iter - components_.begin());
+        return firstSlot + label(iter - components_.begin());
     }
-    const Slot slot = label(components_.size());
+    const Slot slot = firstSlot + label(components_.size());
     fields_.push_back(&info);
     components_.insert
     (
         components_.end(), info.components.begin(), info.components.end()
     );
+    if (fetch_ == Fetch::packed && recordCount() > maxRecords)
+    {
+        throw Error
+        (
+            "The terms of a pair walk ask for more than "
+          + std::to_string(maxRecords*laneCount - firstSlot)
+          + " values of the neighbours; the last one was " + name
+        );
+    }
     return slot;
 }
 
 label PairWalk::recordCount() const
 {
-    return roundUpToLanes(2 + label(components_.size()))/laneCount;
+    return roundUpToLanes(firstSlot + label(components_.size()))/laneCount;
 }
 
 // One record a particle: position and components, rounded up to cache lines
@@ -47,7 +62,7 @@ void PairWalk::pack()
     columns[1] = particles_.r.y.data();
     for (std::size_t c = 0; c < components_.size(); ++c)
     {
-        columns[2 + c] = components_[c]->data();
+        columns[firstSlot + c] = components_[c]->data();
     }
 
     #pragma omp parallel for schedule(static)
@@ -73,55 +88,46 @@ void PairWalk::pack()
     }
 }
 
-// Buffer of a block, stride scalars each: [r.x r.y components... F W]
+template<label nRecords>
 void PairWalk::fetchPacked
 (
     const PairList::Slice& slice, PairBlock& block
 ) const
 {
-    const label nRecords = recordCount();
-    const std::size_t recordSize = nRecords*laneCount;
-    const label nComponents = label(components_.size());
+    constexpr std::size_t recordSize = nRecords*laneCount;
     const laneRow xi = loadRow(&particles_.r.x[block.first]);
     const laneRow yi = loadRow(&particles_.r.y[block.first]);
-
-    const auto fetch = [&]
-    (
-        const label k, const label record, laneRow (&rows)[laneCount]
-    )
-    {
-        const label* index = slice.rows + k*laneCount;
-        const scalar* base = records_.data() + record*laneCount;
-        for (label lane = 0; lane < laneCount; ++lane)
-        {
-            rows[lane] = loadRow(base + index[lane]*recordSize);
-        }
-        transpose(rows);
-    };
+    const label* index = slice.rows;
+    scalar* row = block.rows_;
 
     for (label k = 0; k < slice.n; ++k)
     {
-        laneRow rows[laneCount];
-        fetch(k, 0, rows);
-        const laneRow x = xi - rows[0], y = yi - rows[1];
-        storeRow(x, block.r_ + k*laneCount);
-        storeRow(y, block.r_ + block.stride_ + k*laneCount);
-        storeRow(x*x + y*y, block.F_ + k*laneCount);
-
-        scalar* values = block.values_ + k*laneCount;
-        for (label c = 0; c < std::min(nComponents, laneCount - 2); ++c)
+        for (label record = 0; record < nRecords; ++record)
         {
-            storeRow(rows[2 + c], values + c*block.stride_);
-        }
-        for (label record = 1; record < nRecords; ++record)
-        {
-            fetch(k, record, rows);
-            const label first = record*laneCount - 2;
-            for (label c = 0; c < std::min(nComponents - first, laneCount); ++c)
+            const scalar* base = records_.data() + record*laneCount;
+            laneRow values[laneCount];
+            for (label lane = 0; lane < laneCount; ++lane)
             {
-                storeRow(rows[c], values + (first + c)*block.stride_);
+                values[lane] = loadRow(base + index[lane]*recordSize);
             }
+            transpose(values);
+            if (record == 0)
+            {
+                values[0] = xi - values[0];
+                values[1] = yi - values[1];
+                storeRow
+                (
+                    values[0]*values[0] + values[1]*values[1],
+                    block.F_ + k*laneCount
+                );
+            }
+            for (label c = 0; c < laneCount; ++c)
+            {
+                storeRow(values[c], row + c*laneCount);
+            }
+            row += laneCount*laneCount;
         }
+        index += laneCount;
     }
 }
 
@@ -130,27 +136,43 @@ void PairWalk::fetchDirect
     const PairList::Slice& slice, PairBlock& block
 ) const
 {
-    const label n = slice.n*laneCount;
-    const auto fetch = [&](const scalarField& field, scalar* values)
-    {
-        for (label k = 0; k < n; ++k)
-        {
-            values[k] = field[slice.rows[k]];
-        }
-    };
-    fetch(particles_.r.x, block.r_);
-    fetch(particles_.r.y, block.r_ + block.stride_);
     const vectorLanes ri = load(particles_.r, block.first);
     for (label k = 0; k < slice.n; ++k)
     {
+        const label* index = slice.rows + k*laneCount;
+        scalar* row = block.rows_ + k*block.rowSize_;
+        const auto fetch = [&](const scalarField& field, const label c)
+        {
+            for (label lane = 0; lane < laneCount; ++lane)
+            {
+                row[c*laneCount + lane] = field[index[lane]];
+            }
+        };
+        fetch(particles_.r.x, 0);
+        fetch(particles_.r.y, 1);
+        for (std::size_t c = 0; c < components_.size(); ++c)
+        {
+            fetch(*components_[c], firstSlot + label(c));
+        }
         const vectorLanes rij = ri - block.r(k);
-        store(rij.x, block.r_ + k*laneCount);
-        store(rij.y, block.r_ + block.stride_ + k*laneCount);
+        store(rij.x, row);
+        store(rij.y, row + laneCount);
         store(rij & rij, block.F_ + k*laneCount);
     }
-    for (std::size_t c = 0; c < components_.size(); ++c)
+}
+
+void PairWalk::fetch(const PairList::Slice& slice, PairBlock& block) const
+{
+    if (fetch_ == Fetch::direct)
     {
-        fetch(*components_[c], block.values_ + c*block.stride_);
+        return fetchDirect(slice, block);
+    }
+    switch (recordCount())
+    {
+        case 1: return fetchPacked<1>(slice, block);
+        case 2: return fetchPacked<2>(slice, block);
+        case 3: return fetchPacked<3>(slice, block);
+        case maxRecords: return fetchPacked<maxRecords>(slice, block);
     }
 }
 
@@ -161,7 +183,6 @@ void PairWalk::run(const PairList& list, const Kernel& kernel)
         pack();
     }
     buffers_.resize(omp_get_max_threads());
-    const label nComponents = label(components_.size());
     const label nSlices = label(list.slices().size());
 
     #pragma omp parallel
@@ -173,28 +194,22 @@ void PairWalk::run(const PairList& list, const Kernel& kernel)
         {
             const PairList::Slice& slice = list.slices()[s];
 
+            // [rows][F][W]
             PairBlock block;
-            block.stride_ = slice.n*laneCount;
-            const std::size_t size = (nComponents + 4)*block.stride_;
+            block.first = list.first() + s*laneCount;
+            block.n = slice.n;
+            block.rowSize_ = recordCount()*laneCount*laneCount;
+            const std::size_t size =
+                slice.n*(block.rowSize_ + 2*laneCount);
             if (buffer.size() < size)
             {
                 buffer.resize(size);
             }
-            block.r_ = buffer.data();
-            block.values_ = block.r_ + 2*block.stride_;
-            block.F_ = block.values_ + nComponents*block.stride_;
-            block.W_ = block.F_ + block.stride_;
+            block.rows_ = buffer.data();
+            block.F_ = block.rows_ + slice.n*block.rowSize_;
+            block.W_ = block.F_ + slice.n*laneCount;
 
-            block.first = list.first() + s*laneCount;
-            block.n = slice.n;
-            if (fetch_ == Fetch::packed)
-            {
-                fetchPacked(slice, block);
-            }
-            else
-            {
-                fetchDirect(slice, block);
-            }
+            fetch(slice, block);
             kernel.evaluate
             (
                 slice.n, block.F_, block.F_, needsW_ ? block.W_ : nullptr

@@ -145,6 +145,7 @@ void Time::setDeltaT(const scalar stable)
         d.state.deltaT = d.state.deltaTLimit = d.controls.deltaT;
         return;
     }
+    d.warnOfManySteps(stable);
     d.state.deltaTLimit = d.limitedDeltaT(stable);
     d.state.deltaT = d.shortenedDeltaT(d.state.deltaTLimit);
     std::cout << "deltaT = " << d.state.deltaT << '\n';

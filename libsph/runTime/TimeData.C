@@ -84,7 +84,7 @@ Time::Instant Time::Data::findStart() const
     }
     if (controls.startFrom == TimeControls::StartFrom::latestTime)
     {
-        return times.back();
+        return latestComplete(times);
     }
 
     std::string names;
@@ -102,6 +102,32 @@ Time::Instant Time::Data::findStart() const
         "There is no time folder " + timeText(controls.startTime) + " in "
       + caseDir.string() + "\n\nAvailable times :" + names
     );
+}
+
+// A kill may have left a folder without granular.vtp, which is written last
+Time::Instant Time::Data::latestComplete
+(
+    const std::vector<Instant>& times
+) const
+{
+    std::string skipped;
+    for (auto time = times.rbegin(); time != times.rend(); ++time)
+    {
+        if (std::filesystem::exists(caseDir/time->name/"granular.vtp"))
+        {
+            if (!skipped.empty())
+            {
+                warning
+                (
+                    "There is no granular.vtp in the time folders" + skipped
+                  + ": starting from " + time->name
+                );
+            }
+            return *time;
+        }
+        skipped += ' ' + time->name;
+    }
+    return times.back();
 }
 
 void Time::Data::decideWriteAndStop()

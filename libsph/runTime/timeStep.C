@@ -1,6 +1,8 @@
 // The length of a step, and the time that it leads to.
 #include "runTime/TimeData.H"
 
+#include "runTime/log.H"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -12,6 +14,8 @@ namespace
 {
 
 constexpr scalar growth = 1.2;
+
+constexpr scalar manySteps = 2e7;
 
 } // namespace
 
@@ -73,6 +77,23 @@ scalar Time::Data::shortenedDeltaT(const scalar limit) const
 
     // A step may be longer than its limit by rounding
     return remaining/std::max(1.0, std::ceil(remaining/limit - 1e-9));
+}
+
+void Time::Data::warnOfManySteps(const scalar stable)
+{
+    const scalar deltaT = std::min(controls.maxCo*stable, controls.maxDeltaT);
+    const scalar steps = (controls.endTime - state.value)/deltaT;
+    if (warnedOfManySteps || !std::isfinite(steps) || steps < manySteps)
+    {
+        return;
+    }
+    warnedOfManySteps = true;
+    warning
+    (
+        "Steps of " + timeText(deltaT) + " s: it takes " + timeText(steps)
+      + " of them to endTime.\n    A lower bulk modulus (KFactor) or viscosity"
+        " (etaMax, alphar) allows longer steps"
+    );
 }
 
 void Time::Data::checkFixedDeltaT(const scalar stable) const

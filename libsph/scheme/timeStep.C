@@ -51,11 +51,14 @@ void TimeStep::printCourant
 ) const
 {
     const label n = particles.granular().end;
+    const scalar* Ux = particles.U.x.data();
+    const scalar* Uy = particles.U.y.data();
     scalar largest = 0, sum = 0;
+    #pragma omp simd reduction(max: largest) reduction(+: sum)
     for (label i = 0; i < n; ++i)
     {
-        const scalar magU = std::hypot(particles.U.x[i], particles.U.y[i]);
-        largest = std::max(largest, magU);
+        const scalar magU = std::sqrt(Ux[i]*Ux[i] + Uy[i]*Uy[i]);
+        largest = magU > largest ? magU : largest;
         sum += magU;
     }
     const scalar f = deltaT/h_;

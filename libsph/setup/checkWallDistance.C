@@ -73,7 +73,8 @@ void checkWallDistance
         }
         text
             << "\nThe material is on the left-hand side of a wall, walking"
-               " from its first point to its last";
+               " from its first point to its last;\nthe normal of a"
+               " symmetryPlane points into the material";
         region.dict->fail("", text.str());
     }
 }

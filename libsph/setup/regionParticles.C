@@ -84,7 +84,8 @@ std::vector<RegionParticles> fillRegions
             text
                 << "The region '" << name << "' holds no particle: "
                 << "with a spacing of " << lattice.spacing()
-                << " m no lattice point lies inside";
+                << " m no lattice point lies inside\n\nLengths are in metres:"
+                << " check spacing and the size of the region";
             regionDict->fail("", text.str());
         }
         reportArea(regions.back(), lattice.spacing());

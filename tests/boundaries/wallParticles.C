@@ -88,6 +88,13 @@ TEST(wallParticles, ofASlopeStandBehindIt)
     }
 }
 
+static std::string wallName(const testing::TestParamInfo<const char*>& info)
+{
+    const char* names[] =
+        {"boxInside", "boxOutside", "corner", "step", "roof", "valley"};
+    return names[info.index];
+}
+
 class cornersOfWalls : public testing::TestWithParam<const char*>
 {};
 
@@ -163,12 +170,7 @@ INSTANTIATE_TEST_SUITE_P
 (
     all, cornersOfWalls,
     testing::Values(inside, outside, corner, step, roof, valley),
-    [](const auto& info)
-    {
-        const char* names[] =
-            {"boxInside", "boxOutside", "corner", "step", "roof", "valley"};
-        return std::string(names[info.index]);
-    }
+    wallName
 );
 
 TEST(wallParticles, aClosedBoxSurroundsOneSide)
