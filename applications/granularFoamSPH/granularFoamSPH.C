@@ -12,6 +12,7 @@
 #include "scheme/Guard.H"
 #include "scheme/Scheme.H"
 #include "scheme/timeStep.H"
+#include "selection/Libraries.H"
 #include "selection/listModels.H"
 #include "setup/readGravity.H"
 
@@ -55,6 +56,7 @@ int main(int argc, char* argv[])
 
         const fs::path caseDir = args.caseDir();
         Time runTime(caseDir);
+        loadLibraries(runTime.controlDict(), caseDir);
         const dictionary properties =
             dictionary::fromFile(caseDir/"constant"/"granularProperties");
         const dictionary boundary =
@@ -66,7 +68,8 @@ int main(int argc, char* argv[])
         const vector g = readGravity(caseDir);
 
         Particles particles;
-        const bool restart = readState(runTime.timePath(), particles);
+        const bool complete = readState(runTime.timePath(), particles);
+        const bool restart = complete && runTime.index() > 0;
         const Material material(properties, g, particles.spacing());
         const Boundaries boundaries(boundary, particles.spacing());
         Scheme scheme

@@ -6,6 +6,7 @@
 
 #include "io/caseIO.H"
 #include "runTime/TimeControls.H"
+#include "selection/Libraries.H"
 #include "setup/checkBetweenPlanes.H"
 #include "setup/checkWallDistance.H"
 #include "setup/createParticles.H"
@@ -37,6 +38,7 @@ static int setParticles(int argc, char* argv[])
     const auto controlDict =
         dictionary::fromFile(caseDir/"system"/"controlDict");
     const TimeControls controls(controlDict);
+    loadLibraries(controlDict, caseDir);
     const Time::Instant time = setupTime(args, controlDict);
 
     const fs::path dictPath = setupDictPath(args);

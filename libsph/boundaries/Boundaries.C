@@ -45,22 +45,35 @@ std::vector<WallParticle> Boundaries::wallParticles() const
 
 void Boundaries::setDepths(Particles& particles) const
 {
+    const std::vector<WallParticle> expected = wallParticles();
     const ParticleRange walls = particles.walls();
-    for (label i = walls.begin; i < walls.end; ++i)
+    bool same = walls.size() == label(expected.size());
+    for (label w = 0; same && w < walls.size(); ++w)
     {
-        const label patch = particles.patch[i];
-        if (patch < 0 || patch >= label(patches_.size()))
-        {
-            throw Error
-            (
-                "Wall particle " + std::to_string(particles.id[i])
-              + " belongs to patch " + std::to_string(patch) + ", but"
-                " constant/boundary has " + std::to_string(patches_.size())
-              + " patches: run setParticles again"
-            );
-        }
-        particles.depth[i] =
-            std::max(0.0, -patches_[patch]->distance(particles.r[i]));
+        const label i = walls.begin + w;
+        same =
+            particles.patch[i] == expected[w].patch
+         && (particles.r[i] - expected[w].r).norm() < 1e-6*spacing_;
+        particles.depth[i] = expected[w].depth;
+    }
+    if (!same)
+    {
+        throw Error
+        (
+            "The wall particles of the start time ("
+          + std::to_string(walls.size()) + ") are not those of"
+            " constant/boundary (" + std::to_string(expected.size())
+          + "): it was changed, or walls.vtp is missing.\n"
+            "Run setParticles again."
+        );
+    }
+}
+
+void Boundaries::check(const Particles& particles, const scalar reach) const
+{
+    for (const auto& patch : patches_)
+    {
+        patch->check(particles, reach);
     }
 }
 

@@ -64,6 +64,33 @@ public:
         }
     }
 
+    void check(const Particles& particles, const scalar reach) const override
+    {
+        if (length_ < 2*reach)
+        {
+            throw Error
+            (
+                "The periodic patch " + name() + " is "
+              + std::to_string(length_) + " m long, but particles must not"
+                " see their own images: at least " + std::to_string(2*reach)
+              + " m, or smaller particles"
+            );
+        }
+        for (label i = 0; i < particles.granular().end; ++i)
+        {
+            const scalar along = (particles.r[i] - point_).dot(direction_);
+            if (along < -reach || along > length_ + reach)
+            {
+                throw Error
+                (
+                    "Particle " + std::to_string(particles.id[i])
+                  + " starts outside the planes of the periodic patch "
+                  + name()
+                );
+            }
+        }
+    }
+
     void wrap(Particles& particles) const override
     {
         for (label i = 0; i < particles.granular().end; ++i)

@@ -20,6 +20,7 @@ Neighbourhood::Neighbourhood
     {
         reflections_.push_back(patch->reflection());
     }
+    boundaries.check(particles, cutOff + skin);
 }
 
 scalar Neighbourhood::maxDisplacementSqr() const

@@ -9,6 +9,12 @@ std::map<word, SelectionTables::Table>& SelectionTables::all()
     return tables;
 }
 
+static wordList& duplicates()
+{
+    static wordList list;
+    return list;
+}
+
 void SelectionTables::add
 (
     const word& family, const word& keyword, const std::string& description
@@ -16,11 +22,58 @@ void SelectionTables::add
 {
     if (!all()[family].emplace(keyword, description).second)
     {
+        duplicates().push_back(family + ' ' + keyword);
+    }
+}
+
+void SelectionTables::checkUnique()
+{
+    if (!duplicates().empty())
+    {
         throw Error
         (
-            "The " + family + " keyword '" + keyword + "' is registered twice"
+            "Models registered twice under one keyword:\n"
+          + listOfWords(duplicates())
         );
     }
+}
+
+const dictionary& SelectionTables::coefficients
+(
+    const dictionary& dict, const word& family, const word& keyword
+)
+{
+    const word wanted = keyword + "Coeffs";
+    for (const auto& [other, description] : all()[family])
+    {
+        if (other != keyword && dict.found(other + "Coeffs"))
+        {
+            dict.markUsed(other + "Coeffs");
+        }
+    }
+    if (dict.found(wanted))
+    {
+        return dict.subDict(wanted);
+    }
+    for (const word& key : dict.toc())
+    {
+        const bool coeffs =
+            key.size() > 6 && key.compare(key.size() - 6, 6, "Coeffs") == 0;
+        bool other = false;
+        for (const auto& [familyName, table] : all())
+        {
+            other = other || (coeffs && table.count(key.substr(0, key.size() - 6)));
+        }
+        if (coeffs && !other && !nearest(key, {wanted}).empty())
+        {
+            dict.fail
+            (
+                key, "No " + family + " has the coefficients '" + key
+              + "': did you mean '" + wanted + "'?"
+            );
+        }
+    }
+    return dict;
 }
 
 void SelectionTables::unknown

@@ -106,7 +106,7 @@ TEST_P(cornersOfWalls, noTwoParticlesAreTooClose)
     for (const WallParticle& w : walls)
     {
         const scalar d = nearest(walls, w.r, &w);
-        EXPECT_GT(d, 0.7*dx) << w.r.transpose();
+        EXPECT_GT(d, 0.64*dx) << w.r.transpose();
         EXPECT_LT(d, 1.3*dx) << w.r.transpose();
     }
 }
