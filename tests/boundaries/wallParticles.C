@@ -284,14 +284,11 @@ TEST(wallEntries, areChecked)
     }
 }
 
-// Depths that a start from a file finds again
-TEST(setDepths, findsTheDepthOfEveryLayer)
+// Depths that a start from a file finds again, at corners too
+TEST(setDepths, findsTheDepthOfEveryWallParticle)
 {
-    const Boundaries bed = boundaries
-    (
-        "bed { type noSlip; points ((0 1 0) (1 0 0)); }"
-    );
-    const auto walls = bed.wallParticles();
+    const Boundaries box = boundaries(inside);
+    const auto walls = box.wallParticles();
     Particles P(dx);
     P.resize(3, label(walls.size()));
     for (label i = 0; i < P.walls().size(); ++i)
@@ -299,13 +296,52 @@ TEST(setDepths, findsTheDepthOfEveryLayer)
         P.r.set(P.walls().begin + i, walls[i].r);
         P.patch[P.walls().begin + i] = 0;
     }
-    bed.setDepths(P);
+    box.setDepths(P);
     for (label i = 0; i < P.walls().size(); ++i)
     {
         EXPECT_NEAR(P.depth[P.walls().begin + i], walls[i].depth, 1e-12);
     }
-    P.patch[P.walls().begin] = 1;
-    EXPECT_THROW(bed.setDepths(P), Error);
+}
+
+TEST(setDepths, refusesWallParticlesOfAnotherBoundary)
+{
+    const Boundaries bed = boundaries
+    (
+        "bed { type noSlip; points ((0 0 0) (1 0 0)); }"
+    );
+    const auto walls = bed.wallParticles();
+    const auto set = [&](const label n, const vector& shift, const label patch)
+    {
+        Particles P(dx);
+        P.resize(3, n);
+        for (label i = 0; i < n; ++i)
+        {
+            P.r.set(P.walls().begin + i, walls[i].r + shift);
+            P.patch[P.walls().begin + i] = patch;
+        }
+        bed.setDepths(P);
+    };
+    EXPECT_NO_THROW(set(30, {0, 0}, 0));
+    EXPECT_THROW(set(29, {0, 0}, 0), Error);
+    EXPECT_THROW(set(30, {0, 0}, 1), Error);
+    EXPECT_THROW(set(30, {0.01, 0}, 0), Error);
+    EXPECT_THROW(set(0, {0, 0}, 0), Error);
+}
+
+// A particle must not be a neighbour of its own image
+TEST(periodicEntries, mustFitTheParticles)
+{
+    const Boundaries ends = boundaries
+    (
+        "ends { type periodic; point (0 0 0); translation (1 0 0); }"
+    );
+    Particles P(dx);
+    P.resize(1, 0);
+    P.r.set(0, {0.5, 3});
+    EXPECT_NO_THROW(ends.check(P, 0.3));
+    EXPECT_THROW(ends.check(P, 0.6), Error);
+    P.r.set(0, {1.5, 3});
+    EXPECT_THROW(ends.check(P, 0.3), Error);
 }
 
 } // namespace sph

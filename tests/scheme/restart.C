@@ -49,6 +49,7 @@ void expectSameBits(const CaseText& text)
 {
     const TestCase dir;
     TestScene whole(text, dx, squareLattice({0, 0}, 12, 11, dx));
+    whole.boundaries.setDepths(whole.particles);
     whole.hydrostatic(9.81, 11*dx);
     whole.scheme.initialise();
     const scalar dt = whole.acousticStep(0.3);
