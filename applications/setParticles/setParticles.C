@@ -84,6 +84,7 @@ static int setParticles(int argc, char* argv[])
         }
     );
     writeSeries(caseDir);
+    warnOfLaterTimes(caseDir, time);
 
     std::cout << "\nEnd\n" << std::endl;
     return 0;

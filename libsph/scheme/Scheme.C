@@ -136,7 +136,8 @@ void Scheme::updatePairs()
     neighbourhood_.update();
 }
 
-void Scheme::extrapolateVelocity()
+// V = m/rho
+void Scheme::setVolumes()
 {
     const label n = particles_.granular().end;
     scalar* V = particles_.V.data();
@@ -148,7 +149,11 @@ void Scheme::extrapolateVelocity()
     {
         V[i] = Vg[i] = m[i]/rho[i];
     }
+}
 
+void Scheme::extrapolateVelocity()
+{
+    setVolumes();
     neighbourhood_.refreshImages(wallVelocityWalk_.fields());
     wallVelocityWalk_.run(neighbourhood_.wallPairs(), *kernel_);
     neighbourhood_.refreshImages(gradientWalk_.fields());
@@ -170,6 +175,7 @@ void Scheme::continuity(const scalar deltaT)
     {
         rho[i] += deltaT*(rhoDot[i] - rho[i]*div[i]);
     }
+    setVolumes();
 }
 
 void Scheme::pressure()

@@ -1,6 +1,7 @@
 #include "setup/setupOptions.H"
 
 #include "runTime/TimeControls.H"
+#include "runTime/log.H"
 
 #include <cmath>
 #include <cstdlib>
@@ -60,6 +61,31 @@ Time::Instant setupTime
         throw Error("The option -time needs a time, not '" + name + "'");
     }
     return {value, name};
+}
+
+void warnOfLaterTimes
+(
+    const std::filesystem::path& caseDir, const Time::Instant& time
+)
+{
+    std::string later;
+    for (const Time::Instant& other : Time::findTimes(caseDir))
+    {
+        if (other.value > time.value)
+        {
+            later += ' ' + other.name;
+        }
+    }
+    if (!later.empty())
+    {
+        warning
+        (
+            "Times of an earlier run are there:" + later
+          + "\n    With startFrom latestTime the run goes on from the last of"
+            " them, not from\n    these particles: remove them, or use"
+            " startFrom startTime"
+        );
+    }
 }
 
 } // namespace sph

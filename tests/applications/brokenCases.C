@@ -38,14 +38,11 @@ void expectFailure
     if (!file.empty())
     {
         EXPECT_TRUE(says(outcome, "file: " + (broken.dir()/file).string()));
-        EXPECT_TRUE
-        (
-            says
-            (
-                outcome,
-                "line " + std::to_string(broken.line(file, textOfLine)) + '.'
-            )
-        );
+        const std::string number =
+            std::to_string(broken.line(file, textOfLine));
+        const std::regex place(" line " + number + "(\\.| to line )");
+        EXPECT_TRUE(std::regex_search(outcome.text, place))
+            << "not line " << number << ":\n" << outcome.text;
     }
     EXPECT_FALSE(broken.hasTemporary());
 }
@@ -100,7 +97,10 @@ TEST(brokenCases, missingFile)
 TEST(brokenCases, wrongDimensions)
 {
     const AppCase broken;
-    broken.replace(material, "\\[1 -3 0 0 0 0 0\\] 1612", "[1 -2 0 0 0 0 0] 1612");
+    broken.replace
+    (
+        material, "\\[1 -3 0 0 0 0 0\\] 1612", "[1 -2 0 0 0 0 0] 1612"
+    );
     expectFailure
     (
         broken, {"'rho0'", "[1 -2 0 0 0 0 0]", "expected", "[1 -3 0 0 0 0 0]"},
@@ -176,7 +176,8 @@ TEST(brokenCases, zeroSpacing)
     broken.set(setup, "spacing", "0");
     expectFailure
     (
-        broken, {"'spacing' is 0 but must be greater than 0"}, setup, "spacing 0"
+        broken, {"'spacing' is 0 but must be greater than 0"},
+        setup, "spacing 0"
     );
     EXPECT_FALSE(broken.has("0"));
 }
@@ -266,4 +267,60 @@ TEST(brokenCases, particlesOutsideOfAPeriodicPatch)
     (
         broken, {"45 of 90", "'column'", "not between the planes", "'ends'"}
     );
+}
+
+TEST(brokenCases, boundaryChangedAfterSetParticles)
+{
+    const AppCase broken;
+    broken.succeed("setParticles");
+    const std::string walls = broken.text("0/walls.vtp");
+
+    broken.remove("0/walls.vtp");
+    const Outcome without = broken.run("granularFoamSPH");
+    EXPECT_EQ(without.code, 1);
+    EXPECT_TRUE(says(without, "walls.vtp is missing"));
+
+    broken.write("0/walls.vtp", walls);
+    broken.succeed("granularFoamSPH");
+    broken.replace("constant/boundary", "\\(0.35 0 0\\)", "(0.36 0 0)");
+    const Outcome moved = broken.run("granularFoamSPH");
+    EXPECT_EQ(moved.code, 1);
+    EXPECT_TRUE(says(moved, "constant/boundary"));
+    EXPECT_TRUE(says(moved, "Run setParticles again"));
+}
+
+TEST(brokenCases, coefficientsOfOtherModelsMayStandBy)
+{
+    const AppCase where;
+    where.set
+    (
+        material, "rheology",
+        "DruckerPrager;\nDruckerPragerCoeffs { mus 0.5; d 3e-4; rhos 2600; }\n"
+        "Newtonian1 1"
+    );
+    expectFailure(where, {"'Newtonian1'", "not used"}, material, "Newtonian1");
+    where.replace(material, "\nNewtonian1 1;", "");
+    where.succeed("granularFoamSPH");
+
+    where.replace
+    (
+        material, "\nelastoViscoplasticMuICoeffs",
+        "\nelastoViscoplasticMuCoeffs"
+    );
+    expectFailure
+    (
+        where, {"did you mean 'elastoViscoplasticMuICoeffs'?"},
+        material, "MuCoeffs"
+    );
+}
+
+// New particles, and the times of an earlier run beside them
+TEST(brokenCases, laterTimesOfAnEarlierRun)
+{
+    const AppCase where;
+    EXPECT_FALSE(says(where.succeed("setParticles"), "Warning"));
+    where.succeed("granularFoamSPH");
+    const Outcome outcome = where.succeed("setParticles");
+    EXPECT_TRUE(says(outcome, "Times of an earlier run are there: 0.01 0.02"));
+    EXPECT_TRUE(says(outcome, "startFrom latestTime"));
 }

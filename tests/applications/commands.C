@@ -17,7 +17,10 @@ TEST(commands, listModelsPrintsEveryFamily)
         {"viscousScheme", {"Morris", "Cleary", "stressDivergence"}},
         {"correction", {"none", "kernelGradient", "bulkBlended"}},
         {"stabilisation", {"none", "deltaSPH", "velocityPressureCoupling"}},
-        {"boundary", {"noSlip", "Morris", "freeSlip", "symmetryPlane", "periodic"}},
+        {
+            "boundary",
+            {"noSlip", "Morris", "freeSlip", "symmetryPlane", "periodic"}
+        },
         {"turbulence", {"laminar", "Smagorinsky"}},
         {"integrator", {"symplecticEuler", "velocityVerlet"}},
         {"functionObject", {"runout", "energies", "stopWhenAtRest"}},

@@ -97,7 +97,7 @@ int main(int argc, char* argv[])
     std::ofstream nowhere("/dev/null");
     std::ostream report(std::cout.rdbuf());
     std::cout.rdbuf(nowhere.rdbuf());
-    benchmark::ConsoleReporter console;
+    benchmark::ConsoleReporter console(benchmark::ConsoleReporter::OO_Tabular);
     console.SetOutputStream(&report);
     console.SetErrorStream(&report);
     benchmark::RunSpecifiedBenchmarks(&console);

@@ -43,7 +43,6 @@ struct guard : testing::Test
         Guard guard = made();
         P.U.set(7, {1, 2});
         guard.keep(P, 0.25);
-        guard.check(P, runTime);
         P.U.set(7, {3, 4});
         spoil(P);
         EXPECT_FALSE(guard.sound(P));

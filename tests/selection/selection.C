@@ -10,22 +10,9 @@ namespace sph
 namespace
 {
 
-std::string blockOf(const std::function<void()>& body)
-{
-    try
-    {
-        body();
-    }
-    catch (const Error& error)
-    {
-        return error.block();
-    }
-    return "no error";
-}
-
 struct shape : Selectable<shape, int>
 {
-    static constexpr const char* family = "shapeOfTheSelectionTest";
+    static constexpr const char* family = "testShape";
     virtual scalar area() const = 0;
 };
 
@@ -88,7 +75,8 @@ TEST(selection, everyTableHoldsAtLeastTwoModelsWithADescription)
 {
     for (const auto& [family, table] : SelectionTables::all())
     {
-        if (family == shape::family)
+        // Families that tests make
+        if (family.rfind("test", 0) == 0)
         {
             continue;
         }
@@ -132,12 +120,17 @@ TEST(selection, unknownKeywordListsTheValidOnesAndItsPlace)
 
 TEST(selection, nothingIsSuggestedForAWordThatIsFarFromAll)
 {
-    const std::string text = blockOf
-    (
-        [] { make<Kernel>("Gauss;", 1.0); }
-    );
-    EXPECT_NE(text.find("Unknown kernel type Gauss"), std::string::npos);
-    EXPECT_EQ(text.find("did you mean"), std::string::npos) << text;
+    try
+    {
+        make<Kernel>("Gauss;", 1.0);
+        FAIL() << "no error";
+    }
+    catch (const IOError& error)
+    {
+        const std::string text = error.block();
+        EXPECT_NE(text.find("Unknown kernel type Gauss"), std::string::npos);
+        EXPECT_EQ(text.find("did you mean"), std::string::npos) << text;
+    }
 }
 
 TEST(selection, aMissingKeywordIsAnError)
@@ -166,16 +159,6 @@ TEST(selection, coefficientsOfARealModel)
         1000.0, 9.81);
     EXPECT_EQ(beside->pressure(1100), below->pressure(1100));
     EXPECT_GT(beside->pressure(1100), 2e4);
-}
-
-TEST(selection, aKeywordCannotBeTakenTwice)
-{
-    const std::string text = blockOf
-    (
-        [] { const shape::Add<square> again("square", "once more"); }
-    );
-    EXPECT_NE(text.find("square"), std::string::npos) << text;
-    EXPECT_NE(text.find("twice"), std::string::npos) << text;
 }
 
 TEST(selection, listModelsPrintsEveryModel)
