@@ -77,6 +77,8 @@ int main(int argc, char* argv[])
             schemes, solution, particles, boundaries, material, g
         );
         const auto integrator = Integrator::New(solution, "integrator");
+        std::cout << "Selecting integrator "
+            << solution.get<word>("integrator") << '\n';
         const TimeStep timeStep(solution, material, scheme.kernel().h());
         Guard guard(solution, particles, material.cP(), material.rho0());
 
@@ -143,6 +145,7 @@ int main(int argc, char* argv[])
             if (runTime.writeTime())
             {
                 write(particles, runTime);
+                guard.keep(particles, runTime.value());
                 scheme.neighbourhood().reset();
             }
             runTime.printExecutionTime();

@@ -1,5 +1,7 @@
 #include "boundaries/Wall.H"
 
+#include "runTime/log.H"
+
 #include <cmath>
 
 namespace sph
@@ -123,6 +125,24 @@ std::vector<WallParticle> Wall::wallParticles() const
         }
     }
     return particles;
+}
+
+void Wall::check(const Particles&, const scalar reach) const
+{
+    // Rows lie (l + 1/2) dx deep; material comes as near as dx/4, and the skin
+    // of the lists is about as wide
+    const label needed = label(std::ceil(reach/spacing() - 1));
+    if (layers_ < needed)
+    {
+        warning
+        (
+            "Wall " + name() + " has " + std::to_string(layers_)
+          + " layers of particles, but the kernel reaches "
+          + std::to_string(needed) + ": material near it sees a void.\n"
+            "Give layers " + std::to_string(needed) + " in constant/boundary"
+            " and run setParticles again."
+        );
+    }
 }
 
 label Wall::net(Particles& particles) const

@@ -186,6 +186,19 @@ wordList dictionary::Contents::literalKeywords() const
     return keywords;
 }
 
+wordList dictionary::Contents::unreadKeywords() const
+{
+    wordList keywords;
+    for (const auto& entry : entries)
+    {
+        if (!entry->pattern && !entry->used)
+        {
+            keywords.push_back(entry->keyword);
+        }
+    }
+    return keywords;
+}
+
 std::string dictionary::Contents::where(const Entry& entry) const
 {
     return entry.file + (scope.empty() ? "" : "." + scope);

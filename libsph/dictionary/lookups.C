@@ -25,10 +25,17 @@ Entry& dictionary::Contents::require(const word& keyword)
     std::string message =
         "Entry '" + keyword + "' not found in dictionary \"" + name + '"';
     failIfSwallowed(keyword, message);
-    const word meant = nearest(keyword, literalKeywords());
-    if (!meant.empty())
+    // What nobody has read is the likelier slip
+    word near = nearest(keyword, unreadKeywords());
+    if (near.empty())
     {
-        message += "\n did you mean '" + meant + "'?";
+        near = nearest(keyword, literalKeywords());
+    }
+    if (const Entry* entry = near.empty() ? nullptr : find(near))
+    {
+        message +=
+            "\n is '" + near + "' at line " + std::to_string(entry->startLine)
+          + " meant to be it?";
     }
     throw IOError(message, name, startLine, endLine);
 }

@@ -94,7 +94,12 @@ word nearest(const word& text, const wordList& candidates)
     std::size_t bestDistance = std::max<std::size_t>(2, text.size()/3) + 1;
     for (const word& candidate : candidates)
     {
-        const std::size_t d = distance(text, candidate);
+        // A beginning of three letters or more counts as a small slip
+        const bool begins =
+            text.size() > 2 && candidate.compare(0, text.size(), text) == 0;
+        const std::size_t d =
+            begins ? std::min<std::size_t>(2, distance(text, candidate))
+          : distance(text, candidate);
         if (d < bestDistance)
         {
             best = candidate;

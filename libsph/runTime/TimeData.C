@@ -139,6 +139,8 @@ void Time::Data::decideWriteAndStop()
     switch (controls.stopAt)
     {
         case TimeControls::StopAt::endTime:
+            // Nothing is lost: the end is written, a write time or not
+            writing = writing || atEnd();
             break;
         case TimeControls::StopAt::writeNow:
             writing = true;

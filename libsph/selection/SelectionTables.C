@@ -76,6 +76,23 @@ const dictionary& SelectionTables::coefficients
     return dict;
 }
 
+void SelectionTables::explainCoefficients
+(
+    const IOError& error, const word& keyword
+)
+{
+    const std::string message = error.what();
+    if (message.find("not found") != std::string::npos)
+    {
+        throw IOError
+        (
+            message + "\n The coefficients of " + keyword + " stand in "
+          + keyword + "Coeffs or beside the keyword",
+            error.file(), error.startLine(), error.endLine()
+        );
+    }
+}
+
 void SelectionTables::unknown
 (
     const dictionary& dict, const word& entry,

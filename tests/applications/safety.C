@@ -96,6 +96,7 @@ void expectGoesOn(const AppCase& where)
 {
     const word from = where.latestTime();
     ASSERT_NE(from, "0");
+    ASSERT_NE(from, "");
     where.set("system/controlDict", "stopAt", "writeNow");
     EXPECT_TRUE(says(where.succeed("granularFoamSPH"), "\nTime = "));
     EXPECT_GT(std::stod(where.latestTime()), std::stod(from));
@@ -113,7 +114,7 @@ word timeOfLastGoodState(const Outcome& outcome)
 
 TEST(safety, interruptLeavesAStateToGoOnFrom)
 {
-    const std::map<int, std::string> signals{{SIGINT, "INT"}, {SIGTERM, "TERM"}};
+    const std::map<int, word> signals{{SIGINT, "INT"}, {SIGTERM, "TERM"}};
     for (const auto& [number, name] : signals)
     {
         const AppCase where;

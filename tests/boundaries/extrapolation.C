@@ -164,7 +164,8 @@ TEST_F(extrapolation, MorrisLimitsTheReversal)
 // One particle at d_a sees the wall stand still at d_b = d_a
 TEST_F(extrapolation, MorrisOfAUniformShearVanishesAtTheWall)
 {
-    text.boundary = "bed { type Morris; betaMax 10; points ((0 0 0) (1 0 0)); }";
+    text.boundary =
+        "bed { type Morris; betaMax 10; points ((0 0 0) (1 0 0)); }";
     scene = std::make_unique<TestScene>
     (
         text, dx, Points{{10.5*dx, 0.5*dx}}
@@ -191,7 +192,7 @@ TEST_F(extrapolation, everyPatchHasItsOwnRule)
     ASSERT_EQ(P.walls().size(), 10);
     for (label w = P.walls().begin; w < P.walls().end; ++w)
     {
-        const vector expected = P.r.x[w] < 0.25 ? vector(2, -1) : vector(-2, -1);
+        const vector expected(P.r.x[w] < 0.25 ? 2 : -2, -1);
         EXPECT_LT((P.U[w] - expected).norm(), 1e-12) << P.r.x[w];
     }
 }

@@ -184,7 +184,8 @@ TEST(periodic, imagesAreTranslatedCopies)
             ++i;
         }
         const vector shift = P.r[k] - P.r[i];
-        const scalar nx = std::round(shift.x()/1), ny = std::round(shift.y()/0.8);
+        const scalar nx = std::round(shift.x());
+        const scalar ny = std::round(shift.y()/0.8);
         EXPECT_LT((shift - vector(nx, 0.8*ny)).norm(), 1e-13);
         EXPECT_LE(std::abs(nx), 1);
         EXPECT_LE(std::abs(ny), 1);
@@ -206,7 +207,8 @@ TEST(periodic, whatLeavesEntersOnTheOtherSide)
         text, dx, {{-0.02, 0.3}, {1.03, 0.4}, {0.5, 0.81}, {0.2, -0.03}}
     );
     scene.scheme.updatePairs();
-    const vector expected[] = {{0.98, 0.3}, {0.03, 0.4}, {0.5, 0.01}, {0.2, 0.77}};
+    const vector expected[] =
+        {{0.98, 0.3}, {0.03, 0.4}, {0.5, 0.01}, {0.2, 0.77}};
     const Particles& P = scene.particles;
     for (label i = 0; i < 4; ++i)
     {

@@ -118,7 +118,7 @@ TEST(timeStep, shorteningDoesNotSlowTheGrowthAfterAWrite)
     EXPECT_NEAR(time.deltaT(), 1.1, 1e-15);
 }
 
-TEST(timeStep, endTimeBetweenWriteTimesIsHit)
+TEST(timeStep, endTimeBetweenWriteTimesIsHitAndWritten)
 {
     const TestCase testCase;
     Time time
@@ -136,7 +136,7 @@ TEST(timeStep, endTimeBetweenWriteTimesIsHit)
         writes += time.writeTime();
     }
     EXPECT_EQ(time.value(), 0.07);
-    EXPECT_EQ(writes, 1);
+    EXPECT_EQ(writes, 2);
 }
 
 TEST(timeStep, writeTimesCountFromZeroWhereverTheRunStarts)

@@ -11,38 +11,31 @@ namespace
 constexpr label n = 20;
 constexpr scalar dx = 0.005, H = n*dx, g = 9.81;
 
-// 20 by 20 particles between walls, started at rest
+// 20 by 20 particles between smooth sides, which carry nothing of the weight
 CaseText tank()
 {
     CaseText text;
     text.boundary =
-        "tank { type noSlip; points"
-        " ((0 0.15 0) (0 0 0) (0.1 0 0) (0.1 0.15 0)); }";
+        "bed { type noSlip; points ((-0.015 0 0) (0.115 0 0)); }"
+        "left { type freeSlip; points ((0 0.15 0) (0 0 0)); }"
+        "right { type freeSlip; points ((0.1 0 0) (0.1 0.15 0)); }";
     return text;
 }
 
 } // namespace
 
-TEST(columnAtRest, keepsItsPressureAndStaysAtRest)
+// Mean error of p in the middle fifth of the height, and its roughness: the
+// deviation from the neighbours' mean, carried to the same height
+static std::pair<scalar, scalar> errorAndRoughness(const Particles& P)
 {
-    TestScene scene(tank(), dx, squareLattice({0, 0}, n, n, dx));
-    scene.hydrostatic(g, H);
-    scene.scheme.initialise();
-    const scalar dt = scene.acousticStep();
-    scene.run(dt, label(0.2/dt));
-    const Particles& P = scene.particles;
-
-    scalar error = 0, count = 0, roughness = 0, lowest = H;
+    scalar error = 0, roughness = 0, count = 0;
     for (label i = 0; i < P.granular().end; ++i)
     {
-        lowest = std::min(lowest, P.r.y[i]);
         if (P.r.y[i] < 0.4*H || P.r.y[i] > 0.6*H)
         {
             continue;
         }
-        const scalar exact = P.rho[i]*g*(H - P.r.y[i]);
-        error += P.p[i]/exact - 1;
-        ++count;
+        error += P.p[i]/(P.rho[i]*g*(H - P.r.y[i])) - 1;
         scalar mean = 0, neighbours = 0;
         for (label j = 0; j < P.granular().end; ++j)
         {
@@ -53,20 +46,34 @@ TEST(columnAtRest, keepsItsPressureAndStaysAtRest)
             }
         }
         roughness += std::pow(mean/neighbours/P.p[i] - 1, 2);
+        ++count;
     }
-    EXPECT_LT(std::abs(error/count), 0.02);
-    EXPECT_LT(std::sqrt(roughness/count), 0.01);
-    EXPECT_GT(lowest, 0.3*dx);
-    EXPECT_EQ(scene.netHits, 0);
-    scalar mass = 0;
-    for (label i = 0; i < P.granular().end; ++i)
-    {
-        mass += P.m[i];
-    }
-    EXPECT_LT(scene.kineticEnergy(), 1e-5*mass*g*H);
+    return {error/count, std::sqrt(roughness/count)};
 }
 
-// The elastic law carries shear at rest, the column does not slump in the tank
+TEST(columnAtRest, keepsItsPressureAndStaysAtRest)
+{
+    TestScene scene(tank(), dx, squareLattice({0, 0}, n, n, dx));
+    scene.hydrostatic(g, H);
+    scene.scheme.initialise();
+    const scalar dt = scene.acousticStep();
+    const Particles& P = scene.particles;
+    for (label tenth = 1; tenth <= 10; ++tenth)
+    {
+        scene.run(dt, label(0.02/dt));
+        const auto [error, roughness] = errorAndRoughness(P);
+        EXPECT_LT(std::abs(error), 0.02) << tenth;
+        EXPECT_LT(roughness, 0.005) << tenth;
+    }
+    for (label i = 0; i < P.granular().end; ++i)
+    {
+        EXPECT_GT(P.r.y[i], 0.3*dx);
+    }
+    EXPECT_EQ(scene.netHits, 0);
+    const scalar mgH = CaseText::rho0*H*H*g*H;
+    EXPECT_LT(scene.kineticEnergy(), 1e-8*mgH);
+}
+
 TEST(columnAtRest, carriesItsWeightOnTheBed)
 {
     TestScene scene(tank(), dx, squareLattice({0, 0}, n, n, dx));
@@ -78,7 +85,8 @@ TEST(columnAtRest, carriesItsWeightOnTheBed)
     scalar bed = 0, area = 0;
     for (label w = P.walls().begin; w < P.walls().end; ++w)
     {
-        if (P.depth[w] < dx && P.r.y[w] < 0 && P.r.x[w] > 0.02 && P.r.x[w] < 0.08)
+        const vector r = P.r[w];
+        if (P.depth[w] < dx && r.y() < 0 && r.x() > 0.02 && r.x() < 0.08)
         {
             bed += P.p[w];
             ++area;
