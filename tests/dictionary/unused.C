@@ -109,7 +109,7 @@ TEST(DictionaryMissing, isNamedWithFileScopeAndSuggestion)
     const auto get = [&] { s.get<scalar>("rho"); };
     expectError(1, "Entry 'rho' not found in dictionary \"FILE.s\"", get,
         "FILE.s");
-    expectError(1, "did you mean 'rhos'?", get, "FILE.s");
+    expectError(1, "is 'rhos' at line 3 meant", get, "FILE.s");
     try
     {
         get();

@@ -204,7 +204,7 @@ TEST(timeStep, timeStepControlCountsSteps)
             indices.push_back(time.index());
         }
     }
-    EXPECT_EQ(indices, (std::vector<std::int64_t>{3, 6, 9}));
+    EXPECT_EQ(indices, (std::vector<std::int64_t>{3, 6, 9, 10}));
     EXPECT_EQ(time.index(), 10);
 }
 
