@@ -15,6 +15,7 @@ Guard::Guard
 )
 :
     cP_(cP),
+    aMax_(10*cP*cP/particles.spacing()),
     rho0_(rho0)
 {
     const dictionary& domain = solution.subOrEmptyDict("domain");
@@ -54,7 +55,8 @@ Guard::Guard
 static bool soundParticle
 (
     const Particles& P, const label i,
-    const vector& min, const vector& max, const scalar cP, const scalar rho0
+    const vector& min, const vector& max,
+    const scalar cP, const scalar aMax, const scalar rho0
 )
 {
     const scalar USqr = P.U.x[i]*P.U.x[i] + P.U.y[i]*P.U.y[i];
@@ -63,7 +65,7 @@ static bool soundParticle
       & (P.r.y[i] >= min.y()) & (P.r.y[i] <= max.y())
       & (USqr <= cP*cP)
       & (P.rho[i] > 0.1*rho0) & (P.rho[i] < 10*rho0)
-      & (std::abs(P.a.x[i]) + std::abs(P.a.y[i]) < 1e30);
+      & (std::abs(P.a.x[i]) + std::abs(P.a.y[i]) < aMax);
 }
 
 void Guard::check(Particles& particles, const Time& runTime)
@@ -102,7 +104,7 @@ bool Guard::sound(const Particles& particles) const
     #pragma omp parallel for simd schedule(static) reduction(+: bad)
     for (label i = 0; i < n; ++i)
     {
-        bad += !soundParticle(particles, i, min_, max_, cP_, rho0_);
+        bad += !soundParticle(particles, i, min_, max_, cP_, aMax_, rho0_);
     }
     return bad == 0;
 }
@@ -153,7 +155,7 @@ std::string Guard::diagnosis
     label bad = 0;
     for (label i = particles.granular().end - 1; i >= 0; --i)
     {
-        if (!soundParticle(particles, i, min_, max_, cP_, rho0_))
+        if (!soundParticle(particles, i, min_, max_, cP_, aMax_, rho0_))
         {
             worst = i;
             ++bad;
@@ -185,6 +187,10 @@ std::string Guard::diagnosis
     {
         os << "its speed " << U.norm() << " m/s exceeds that of pressure"
             << " waves, " << cP_ << " m/s";
+    }
+    else if (particles.a[worst].norm() > 0.5*aMax_)
+    {
+        os << "its acceleration is " << particles.a[worst].norm() << " m/s2";
     }
     else
     {
