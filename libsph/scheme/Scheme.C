@@ -14,7 +14,6 @@ Scheme::Scheme
 )
 :
     particles_(particles),
-    boundaries_(boundaries),
     material_(material),
     kernel_
     (
