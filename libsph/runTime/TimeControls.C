@@ -160,6 +160,15 @@ void TimeControls::readFormats(const dictionary& dict)
     writeCompressed =
         compression == "on" || compression == "yes" || compression == "true"
      || compression == "compressed";
+    if (writeAscii && writeCompressed)
+    {
+        dict.fail
+        (
+            "writeCompression",
+            "Text (writeFormat ascii) is written as it is: only writeFormat"
+            " binary can be compressed"
+        );
+    }
     writePrecision = boundedLabel(dict, "writePrecision", 17, 1, 17);
     timeFormat = choice<TimeFormat>
     (

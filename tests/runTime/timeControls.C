@@ -39,7 +39,7 @@ TEST(timeControls, theListedEntriesAreAllRead)
         "stopAt nextWrite; endTime 2; deltaT 1e-3; adjustTimeStep on;"
         "maxCo 0.3; maxDeltaT 0.01; writeControl adjustableRunTime;"
         "writeInterval 0.05; purgeWrite 2; writeFormat ascii;"
-        "writePrecision 9; writeCompression on; timeFormat scientific;"
+        "writePrecision 9; writeCompression off; timeFormat scientific;"
         "timePrecision 8; runTimeModifiable no;"
     );
     const TimeControls c(dict);
@@ -56,7 +56,7 @@ TEST(timeControls, theListedEntriesAreAllRead)
     EXPECT_EQ(c.purgeWrite, 2);
     EXPECT_TRUE(c.writeAscii);
     EXPECT_EQ(c.writePrecision, 9);
-    EXPECT_TRUE(c.writeCompressed);
+    EXPECT_FALSE(c.writeCompressed);
     EXPECT_EQ(c.timePrecision, 8);
     EXPECT_FALSE(c.runTimeModifiable);
     EXPECT_NO_THROW(dict.refuseUnused());
@@ -98,6 +98,24 @@ TEST(timeControls, unknownChoicesListTheValidOnes)
     EXPECT_CONTAINS(errorWith("writeFormat bin;"), "binary");
     EXPECT_CONTAINS(errorWith("timeFormat fix;"), "scientific");
     EXPECT_CONTAINS(errorWith("writeCompression gz;"), "compressed");
+}
+
+TEST(timeControls, onlyBinaryFilesAreCompressed)
+{
+    const std::string needed = "endTime 1; deltaT 1; writeInterval 1;";
+    for (const char* on : {"on", "yes", "true", "compressed"})
+    {
+        const auto dict = dictionary::fromString
+        (
+            needed + "writeCompression " + on + ';'
+        );
+        EXPECT_TRUE(TimeControls(dict).writeCompressed) << on;
+    }
+    EXPECT_CONTAINS
+    (
+        errorWith("writeFormat ascii; writeCompression on;"),
+        "only writeFormat binary can be compressed"
+    );
 }
 
 TEST(timeControls, valuesOutOfRangeAreNamed)

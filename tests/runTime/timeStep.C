@@ -1,5 +1,5 @@
 // The sequence of steps: growth, limits, write times and the end hit exactly.
-#include "runTime/TestCase.H"
+#include "runTime/StepControls.H"
 
 #include <cmath>
 
@@ -8,15 +8,6 @@ namespace sph
 
 namespace
 {
-
-dictionary controls(const std::string& text)
-{
-    return dictionary::fromString
-    (
-        "startFrom startTime; startTime 0; runTimeModifiable no;" + text,
-        "controlDict"
-    );
-}
 
 const char* const adjustable =
     "endTime 0.3; deltaT 1e-4; adjustTimeStep yes; maxCo 0.4;"
@@ -186,64 +177,6 @@ TEST(timeStep, fixedStepsKeepTheirLengthAndTheirNamesClean)
     }
     EXPECT_EQ(time.index(), 3000);
     EXPECT_EQ(names, (std::vector<word>{"0.1", "0.2", "0.3"}));
-}
-
-TEST(timeStep, timeStepControlCountsSteps)
-{
-    const TestCase testCase;
-    Time time
-    (
-        testCase.dir(),
-        controls("endTime 1; deltaT 0.1; writeControl timeStep; writeInterval 3;")
-    );
-    std::vector<std::int64_t> indices;
-    while (time.loop(1))
-    {
-        if (time.writeTime())
-        {
-            indices.push_back(time.index());
-        }
-    }
-    EXPECT_EQ(indices, (std::vector<std::int64_t>{3, 6, 9, 10}));
-    EXPECT_EQ(time.index(), 10);
-}
-
-TEST(timeStep, clockTimeControlWaitsForTheClock)
-{
-    const TestCase testCase;
-    Time time
-    (
-        testCase.dir(),
-        controls
-        (
-            "endTime 1; deltaT 1e-3; writeControl clockTime; writeInterval 0.05;"
-        )
-    );
-    time.loop(1);
-    EXPECT_FALSE(time.writeTime());
-    ::usleep(60000);
-    time.loop(1);
-    EXPECT_TRUE(time.writeTime());
-    time.loop(1);
-    EXPECT_FALSE(time.writeTime());
-}
-
-TEST(timeStep, cpuTimeControlWaitsForWork)
-{
-    const TestCase testCase;
-    Time time
-    (
-        testCase.dir(),
-        controls("endTime 1; deltaT 1e-3; writeControl cpuTime; writeInterval 0.05;")
-    );
-    time.loop(1);
-    const scalar begin = time.cpuTime();
-    ::usleep(60000);
-    ASSERT_LT(time.cpuTime() - begin, 0.05);
-    while (time.cpuTime() - begin < 0.06)
-    {}
-    time.loop(1);
-    EXPECT_TRUE(time.writeTime());
 }
 
 TEST(timeStep, fixedDeltaTAboveTheStableLimitIsAnError)
