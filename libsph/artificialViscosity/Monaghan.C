@@ -10,52 +10,53 @@
 //     MonaghanCoeffs { alpha 0.1; }
 
 #include "artificialViscosity/ArtificialViscosity.H"
+#include "pairs/PairLoop.H"
 
 namespace sph
 {
 namespace
 {
 
-class Monaghan : public ArtificialViscosity
+class Monaghan : public PairSum<Monaghan, ArtificialViscosity>
 {
-    Particles& particles_;
-    const scalar alphaCh_;      // alpha c h/rho0 [m5/kg/s]
-    const scalar guard_;        // 0.01 h^2 [m2]
-    const PairWalk::Slot m_;
-    const PairWalk::Slot U_;
+    const scalar alpha_;
+    const scalar h_;
+    const EquationOfState& eos_;
 
 public:
     Monaghan
     (
-        const dictionary& dict, PairWalk& walk,
-        const EquationOfState& eos, const Kernel& kernel
+        const dictionary& dict, const EquationOfState& eos,
+        const Kernel& kernel
     )
     :
-        particles_(walk.particles()),
-        alphaCh_
-        (
-            dict.getOrDefault("alpha", 0.1, dimless, Range::nonNegative())
-           *eos.c()*kernel.h()/eos.rho0()
-        ),
-        guard_(0.01*kernel.h()*kernel.h()),
-        m_(walk.neighbour("m")),
-        U_(walk.neighbour("U"))
+        alpha_(dict.getOrDefault("alpha", 0.1, dimless, Range::nonNegative())),
+        h_(kernel.h()),
+        eos_(eos)
     {}
 
-    void evaluate(const PairBlock& block) override
+    static constexpr auto reads = fields(of::m, of::U);
+
+    template<class real>
+    using Sum = vectorOf<real>;
+
+    template<class I, class J, class Pair, class real>
+    void add
+    (
+        const I& i, const J& j, const Pair& ij, vectorOf<real>& sum
+    ) const
     {
-        const label i = block.first;
-        const vectorLanes Ui = load(particles_.U, i);
-        vectorLanes sum{0, 0};
-        for (label k = 0; k < block.n; ++k)
-        {
-            const lanes approach =
-                min((Ui - block.vector(U_, k)) & block.r(k), lanes(0));
-            sum +=
-                (block.scalar(m_, k)*approach/(block.rSqr(k) + guard_))
-               *block.gradW(k);
-        }
-        store(load(particles_.a, i) + lanes(alphaCh_)*sum, particles_.a, i);
+        using namespace of;
+        const real approach = min((i(U) - j(U)) & ij.r, real(0));
+        const real mu = h_*approach/((ij.r & ij.r) + 0.01*h_*h_);
+        sum += j(m)*mu*ij.gradW();
+    }
+
+    template<class At, class real>
+    void finish(const At& i, const vectorOf<real>& sum) const
+    {
+        const scalar f = alpha_*eos_.c()/eos_.rho0();
+        i.set(of::a, i(of::a) + f*sum);
     }
 
     void bulkPressure

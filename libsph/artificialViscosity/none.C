@@ -14,13 +14,9 @@ class noArtificialViscosity : public ArtificialViscosity
 public:
     noArtificialViscosity
     (
-        const dictionary&, PairWalk&, const EquationOfState&, const Kernel&
+        const dictionary&, const EquationOfState&, const Kernel&
     )
     {}
-
-    bool hasPairTerm() const override { return false; }
-
-    void evaluate(const PairBlock&) override {}
 
     void bulkPressure
     (

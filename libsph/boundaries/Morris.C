@@ -36,18 +36,14 @@ public:
     {
         const vectorLanes wall{velocity().x(), velocity().y()};
         vectorLanes sum{0, 0};
-        for (label k = 0; k < pairs.block.n; ++k)
+        for (const WallPairs::Row& row : pairs)
         {
             // r_ab points from the material into the wall: d_a + d_b
-            const lanes both = -(pairs.n & pairs.block.r(k));
+            const lanes both = -(pairs.n & row.r);
             const lanes da = max(both - pairs.depth, 1e-3*pairs.depth);
             const lanes beta =
                 min(lanes(betaMax_), 1.0 + pairs.depth/da);
-            sum +=
-                (
-                    (1.0 - beta)*pairs.block.scalar(pairs.V, k)
-                   *pairs.block.W(k)
-                )*(pairs.block.vector(pairs.U, k) - wall);
+            sum += ((1.0 - beta)*row.VW)*(row.U - wall);
         }
         return wall + pairs.invSumVW*sum;
     }

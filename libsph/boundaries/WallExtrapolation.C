@@ -1,41 +1,47 @@
 #include "boundaries/WallExtrapolation.H"
 
+#include "pairs/FusedSums.H"
+
 namespace sph
 {
 
-// 1/sum V W, 0 where a wall particle faces no material
-static lanes inverseShepardSum(const PairBlock& block, const PairWalk::Slot V)
-{
-    lanes sum = 0;
-    for (label k = 0; k < block.n; ++k)
-    {
-        sum += block.scalar(V, k)*block.W(k);
-    }
-    return select(sum > 1e-12, 1.0/max(sum, lanes(1e-12)), lanes(0));
-}
+static const FusedSums::Add<WallStress, WallVelocityGradient> stress;
 
-WallVelocity::WallVelocity(PairWalk& walk, const Boundaries& boundaries)
+template class PairSum<WallViscosity>;
+
+WallVelocity::WallVelocity(Particles& particles, const Boundaries& boundaries)
 :
-    particles_(walk.particles()),
-    boundaries_(boundaries),
-    V_(walk.neighbour("V")),
-    U_(walk.neighbour("U"))
+    particles_(particles),
+    boundaries_(boundaries)
+{}
+
+static alignedList<WallPairs::Row>& rowsOfThread()
 {
-    walk.needsW();
+    static thread_local alignedList<WallPairs::Row> rows(64);
+    return rows;
 }
 
-void WallVelocity::evaluate(const PairBlock& block)
+void WallVelocity::addRow(const label k, const WallPairs::Row& row)
 {
-    const label first = block.first;
-    const WallPairs pairs
+    auto& rows = rowsOfThread();
+    if (k >= label(rows.size()))
     {
-        block, V_, U_, load(particles_.n, first),
-        load(&particles_.depth[first]), inverseShepardSum(block, V_)
-    };
+        rows.resize(2*rows.size());
+    }
+    rows[k] = row;
+}
+
+void WallVelocity::setVelocity
+(
+    const label first, const label size, const vectorLanes& n,
+    const lanes& depth, const lanes& invSumVW
+) const
+{
+    const WallPairs pairs{rowsOfThread().data(), size, n, depth, invSumVW};
 
     // The patches met among these particles, each asked once
     label done = -1;
-    for (label lane = 0; lane < laneCount; ++lane)
+    for (label lane = 0; lane < width<lanes>; ++lane)
     {
         const label patch = particles_.patch[first + lane];
         if (patch <= done)
@@ -45,7 +51,7 @@ void WallVelocity::evaluate(const PairBlock& block)
         done = patch;
         const vectorLanes U =
             boundaries_.patches()[patch]->wallVelocity(pairs);
-        for (label other = lane; other < laneCount; ++other)
+        for (label other = lane; other < width<lanes>; ++other)
         {
             if (particles_.patch[first + other] == patch)
             {
@@ -58,91 +64,74 @@ void WallVelocity::evaluate(const PairBlock& block)
 
 WallStress::WallStress
 (
-    PairWalk& walk, const Boundaries& boundaries,
-    const EquationOfState& eos, const vector& g,
-    const bool needsEta, const bool needsGradU
+    Particles& particles, const Boundaries& boundaries,
+    const EquationOfState& eos, const vector& g
 )
 :
-    particles_(walk.particles()),
+    particles_(particles),
     boundaries_(boundaries),
     eos_(eos),
-    g_(g),
-    needsEta_(needsEta),
-    needsGradU_(needsGradU),
-    V_(walk.neighbour("V")),
-    rho_(walk.neighbour("rho")),
-    p_(walk.neighbour("p")),
-    q_(walk.neighbour("q")),
-    s_(walk.neighbour("s"))
+    g_(g)
+{}
+
+// Calls mirrored(w, reflection) for those particles whose patch asks for it
+template<class Mirrored>
+static void forEachMirrored
+(
+    const Particles& particles, const Boundaries& boundaries,
+    const label first, const Mirrored& mirrored
+)
 {
-    walk.needsW();
-    if (needsEta_)
+    for (label w = first; w < first + width<lanes>; ++w)
     {
-        eta_ = walk.neighbour("eta");
-    }
-    if (needsGradU_)
-    {
-        gradU_ = walk.neighbour("gradU");
+        const label patch = particles.patch[w];
+        if (patch >= 0 && boundaries.patches()[patch]->mirrorsStress())
+        {
+            const vector n = particles.n[w];
+            mirrored(w, tensor(tensor::Identity() - 2*n*n.transpose()));
+        }
     }
 }
 
-void WallStress::evaluate(const PairBlock& block)
+void WallStress::setDensity(const label first) const
 {
-    const label i = block.first;
-    const lanes invSum = inverseShepardSum(block, V_);
-
-    lanes p = 0, q = 0, eta = 0;
-    symmTensorLanes s{0, 0, 0};
-    tensorLanes gradU{0, 0, 0, 0};
-    const vectorLanes g{g_.x(), g_.y()};
-    for (label k = 0; k < block.n; ++k)
+    for (label w = first; w < first + width<lanes>; ++w)
     {
-        const lanes VW = invSum*block.scalar(V_, k)*block.W(k);
-        p += VW
-            *(block.scalar(p_, k) + block.scalar(rho_, k)*(g & block.r(k)));
-        q += VW*block.scalar(q_, k);
-        const symmTensorLanes sj = block.symmTensor(s_, k);
-        s = s + symmTensorLanes{VW*sj.xx, VW*sj.xy, VW*sj.yy};
-        if (needsEta_)
+        if (particles_.patch[w] >= 0)
         {
-            eta += VW*block.scalar(eta_, k);
-        }
-        if (needsGradU_)
-        {
-            const tensorLanes G = block.tensor(gradU_, k);
-            gradU += tensorLanes{VW*G.xx, VW*G.xy, VW*G.yx, VW*G.yy};
+            particles_.rho[w] = eos_.density(particles_.p[w]);
+            particles_.V[w] = particles_.m[w]/particles_.rho[w];
         }
     }
-    p = max(p, lanes(0));
-
-    store(p, &particles_.p[i]);
-    store(q, &particles_.q[i]);
-    store(s, particles_.s, i);
-    if (needsEta_)
-    {
-        store(eta, &particles_.eta[i]);
-    }
-    if (needsGradU_)
-    {
-        store(gradU, particles_.gradU, i);
-    }
-
-    for (label w = i; w < i + laneCount; ++w)
-    {
-        if (particles_.patch[w] < 0)
+    forEachMirrored
+    (
+        particles_, boundaries_, first,
+        [&](const label w, const tensor& R)
         {
-            continue;
-        }
-        particles_.rho[w] = eos_.density(particles_.p[w]);
-        particles_.V[w] = particles_.m[w]/particles_.rho[w];
-        if (boundaries_.patches()[particles_.patch[w]]->mirrorsStress())
-        {
-            const vector n = particles_.n[w];
-            const tensor R = tensor::Identity() - 2*n*n.transpose();
             particles_.s.set(w, R*particles_.s[w]*R);
+        }
+    );
+}
+
+WallVelocityGradient::WallVelocityGradient
+(
+    Particles& particles, const Boundaries& boundaries
+)
+:
+    particles_(particles),
+    boundaries_(boundaries)
+{}
+
+void WallVelocityGradient::mirror(const label first) const
+{
+    forEachMirrored
+    (
+        particles_, boundaries_, first,
+        [&](const label w, const tensor& R)
+        {
             particles_.gradU.set(w, R*particles_.gradU[w]*R);
         }
-    }
+    );
 }
 
 } // namespace sph

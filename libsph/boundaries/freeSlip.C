@@ -26,7 +26,7 @@ public:
     {
         const vectorLanes U = pairs.smoothedVelocity();
         const vectorLanes wall{velocity().x(), velocity().y()};
-        return U - lanes(2)*(pairs.n & (U - wall))*pairs.n;
+        return U - (2.0*(pairs.n & (U - wall)))*pairs.n;
     }
 
     bool mirrorsStress() const override { return true; }

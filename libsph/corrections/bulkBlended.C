@@ -23,9 +23,8 @@ class bulkBlended : public Correction
     const scalar lambda1_;
 
 public:
-    bulkBlended(const dictionary& dict, PairWalk& walk)
+    explicit bulkBlended(const dictionary& dict)
     :
-        Correction(walk),
         lambda0_
         (
             dict.getOrDefault("lambda0", 0.6, dimless, Range::between(0, 1))

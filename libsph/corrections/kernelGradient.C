@@ -17,9 +17,7 @@ namespace
 class kernelGradient : public Correction
 {
 public:
-    kernelGradient(const dictionary&, PairWalk& walk)
-    :
-        Correction(walk)
+    explicit kernelGradient(const dictionary&)
     {}
 
 protected:

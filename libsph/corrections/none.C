@@ -12,9 +12,7 @@ namespace
 class uncorrected : public Correction
 {
 public:
-    uncorrected(const dictionary&, PairWalk& walk)
-    :
-        Correction(walk)
+    explicit uncorrected(const dictionary&)
     {}
 
 protected:

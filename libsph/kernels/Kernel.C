@@ -7,7 +7,7 @@ scalar Kernel::W(const scalar r) const
 {
     alignas(64) scalar rSqr[laneCount], F[laneCount], W[laneCount];
     std::fill_n(rSqr, laneCount, r*r);
-    evaluate(1, rSqr, F, W);
+    evaluateRows(1, rSqr, F, W);
     return W[0];
 }
 
@@ -15,7 +15,7 @@ scalar Kernel::F(const scalar r) const
 {
     alignas(64) scalar rSqr[laneCount], F[laneCount];
     std::fill_n(rSqr, laneCount, r*r);
-    evaluate(1, rSqr, F, nullptr);
+    evaluateRows(1, rSqr, F, nullptr);
     return F[0];
 }
 

@@ -14,30 +14,32 @@ namespace sph
 namespace
 {
 
-class WendlandC2 : public Kernel
+class WendlandC2 : public KernelShape<WendlandC2>
 {
+    const scalar invHSqr_;
+    const scalar F_;
+    const scalar W_;
+
 public:
     WendlandC2(const dictionary&, const scalar h)
     :
-        Kernel(h, 2)
+        KernelShape(h, 2),
+        invHSqr_(1/(h*h)),
+        F_(-35*invHSqr_*invHSqr_/(4*pi)),
+        W_(7*invHSqr_/(4*pi))
     {}
 
-    void evaluate
-    (
-        const label n, const scalar* rSqr, scalar* F, scalar* W
-    ) const override
+    template<bool needsW, class real>
+    void evaluate(const real& rSqr, real& F, real& W) const
     {
-        const scalar sigma = 7/(4*pi);
-        evaluateRows
-        (
-            n, rSqr, F, W,
-            [=](const lanes& q, const lanes&, lanes& f, lanes& w)
-            {
-                const lanes t = max(1 - 0.5*q, lanes(0));
-                f = -5*sigma*t*t*t;
-                w = sigma*t*t*t*t*(1 + 2*q);
-            }
-        );
+        const real qSqr = max(invHSqr_*rSqr, real(1e-20));
+        const real q = qSqr*invSqrt(qSqr);
+        const real t = max(1.0 - 0.5*q, real(0));
+        F = F_*t*t*t;
+        if constexpr (needsW)
+        {
+            W = W_*t*t*t*t*(1.0 + 2.0*q);
+        }
     }
 };
 

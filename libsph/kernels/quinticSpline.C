@@ -15,44 +15,48 @@ namespace sph
 namespace
 {
 
-class quinticSpline : public Kernel
+class quinticSpline : public KernelShape<quinticSpline>
 {
-    static lanes pow4(const lanes& t)
+    const scalar invHSqr_;
+    const scalar F_;
+    const scalar W_;
+
+    template<class real>
+    static real pow4(const real& t)
     {
-        const lanes tSqr = t*t;
+        const real tSqr = t*t;
         return tSqr*tSqr;
     }
 
 public:
     quinticSpline(const dictionary&, const scalar h)
     :
-        Kernel(h, 3)
+        KernelShape(h, 3),
+        invHSqr_(1/(h*h)),
+        F_(7*invHSqr_*invHSqr_/(478*pi)),
+        W_(7*invHSqr_/(478*pi))
     {}
 
-    void evaluate
-    (
-        const label n, const scalar* rSqr, scalar* F, scalar* W
-    ) const override
+    template<bool needsW, class real>
+    void evaluate(const real& rSqr, real& F, real& W) const
     {
-        const scalar sigma = 7/(478*pi);
-        evaluateRows
+        const real qSqr = max(invHSqr_*rSqr, real(1e-20));
+        const real invQ = invSqrt(qSqr);
+        const real q = qSqr*invQ;
+        const real t3 = max(3.0 - q, real(0));
+        const real t2 = max(2.0 - q, real(0));
+        // q < 1: the derivative multiplied out, as it is divided by q
+        F = F_*select
         (
-            n, rSqr, F, W,
-            [=](const lanes& q, const lanes& invQ, lanes& f, lanes& w)
-            {
-                const lanes t3 = max(3 - q, lanes(0));
-                const lanes t2 = max(2 - q, lanes(0));
-                const lanes t1 = max(1 - q, lanes(0));
-                // q < 1: the derivative multiplied out, as it is divided by q
-                f = sigma*select
-                (
-                    q < 1,
-                    q*q*(120 - 50*q) - 120,
-                    (30*pow4(t2) - 5*pow4(t3))*invQ
-                );
-                w = sigma*(pow4(t3)*t3 - 6*pow4(t2)*t2 + 15*pow4(t1)*t1);
-            }
+            q < 1.0,
+            qSqr*(120.0 - 50.0*q) - 120.0,
+            (30.0*pow4(t2) - 5.0*pow4(t3))*invQ
         );
+        if constexpr (needsW)
+        {
+            const real t1 = max(1.0 - q, real(0));
+            W = W_*(pow4(t3)*t3 - 6.0*pow4(t2)*t2 + 15.0*pow4(t1)*t1);
+        }
     }
 };
 

@@ -57,6 +57,18 @@ Particles::Particles(const scalar spacing)
     resize(0, 0);
 }
 
+const FieldInfo& Particles::fieldAt(const scalarField& component) const
+{
+    return *std::find_if
+    (
+        fields_.begin(), fields_.end(),
+        [&](const FieldInfo& info)
+        {
+            return info.components.front() == &component;
+        }
+    );
+}
+
 const FieldInfo& Particles::field(const std::string& name) const
 {
     const auto iter = std::find_if

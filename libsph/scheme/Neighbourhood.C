@@ -23,25 +23,6 @@ Neighbourhood::Neighbourhood
     boundaries.check(particles, cutOff + skin);
 }
 
-scalar Neighbourhood::maxDisplacementSqr() const
-{
-    const vectorField& r = particles_.r;
-    const scalar* rx = r.x.data();
-    const scalar* ry = r.y.data();
-    const scalar* bx = rBuilt_.x.data();
-    const scalar* by = rBuilt_.y.data();
-    const label n = particles_.granular().end;
-    scalar largest = 0;
-    #pragma omp parallel for simd schedule(static) reduction(max: largest)
-    for (label i = 0; i < n; ++i)
-    {
-        const scalar dx = rx[i] - bx[i], dy = ry[i] - by[i];
-        const scalar dSqr = dx*dx + dy*dy;
-        largest = dSqr > largest ? dSqr : largest;
-    }
-    return largest;
-}
-
 // Rows of cells keep what is near in space near in memory
 void Neighbourhood::sortGranular()
 {
@@ -122,13 +103,13 @@ label Neighbourhood::makeImages()
 
 bool Neighbourhood::update()
 {
-    const scalar limit = 0.5*skin_;
-    const bool sizeKnown =
-        label(rBuilt_.x.size()) >= particles_.granular().end;
-    if (!mustSort_ && sizeKnown && maxDisplacementSqr() < limit*limit)
+    if (!mustSort_)
     {
         placeImages(0);
-        return false;
+        if (gauge_.complete(particles_.r, grid_, cutOff_, skin_))
+        {
+            return false;
+        }
     }
     rebuild();
     return true;
@@ -163,14 +144,7 @@ void Neighbourhood::rebuild()
     (
         particles_.r, walls, grid_, material, reach, particles_.null()
     );
-    rBuilt_.x.assign
-    (
-        particles_.r.x.begin(), particles_.r.x.begin() + granular.end
-    );
-    rBuilt_.y.assign
-    (
-        particles_.r.y.begin(), particles_.r.y.begin() + granular.end
-    );
+    gauge_.reset(particles_.r, {granular, walls, ghosts});
     ++rebuilds_;
 }
 

@@ -28,36 +28,30 @@ Scheme::Scheme
     (
         particles, boundaries, kernel_->cutOff(),
         kernel_->h()
-       *solution.getOrDefault("skin", 0.2, dimless, Range::between(0.01, 2))
+       *solution.getOrDefault("skin", 0.16, dimless, Range::between(0.01, 2))
     ),
     gradientWalk_(particles),
     forceWalk_(particles),
-    wallVelocityWalk_(particles, PairWalk::Fetch::direct),
-    wallStressWalk_(particles, PairWalk::Fetch::direct),
-    correction_(Correction::New(schemes, "correction", gradientWalk_)),
-    velocityGradient_(gradientWalk_),
-    shifting_(Shifting::New(schemes, "shifting", gradientWalk_, *kernel_)),
-    stressDivergence_(forceWalk_, g),
-    viscousScheme_
-    (
-        ViscousScheme::New(schemes, "viscousScheme", forceWalk_)
-    ),
+    wallVelocityWalk_(particles),
+    wallStressWalk_(particles),
+    correction_(Correction::New(schemes, "correction")),
+    shifting_(Shifting::New(schemes, "shifting", particles, *kernel_)),
+    stressDivergence_(g),
+    viscousScheme_(ViscousScheme::New(schemes, "viscousScheme", particles)),
     artificialViscosity_
     (
         ArtificialViscosity::New
         (
-            schemes, "artificialViscosity", forceWalk_, material.eos(),
-            *kernel_
+            schemes, "artificialViscosity", material.eos(), *kernel_
         )
     ),
     stabilisation_
     (
-        Stabilisation::New
-        (
-            schemes, "stabilisation", forceWalk_, material.eos(), *kernel_
-        )
+        Stabilisation::New(schemes, "stabilisation", material.eos(), *kernel_)
     ),
-    wallVelocity_(wallVelocityWalk_, boundaries)
+    wallVelocity_(particles, boundaries),
+    wallStress_(particles, boundaries, material.eos(), g),
+    wallVelocityGradient_(particles, boundaries)
 {
     if
     (
@@ -76,35 +70,28 @@ Scheme::Scheme
     gradientWalk_.add(velocityGradient_);
     if (stabilisation_->needsGradRho())
     {
-        densityGradient_ = std::make_unique<DensityGradient>(gradientWalk_);
-        gradientWalk_.add(*densityGradient_);
+        gradientWalk_.add(densityGradient_);
     }
-    if (shifting_->hasPairTerm())
-    {
-        gradientWalk_.add(*shifting_);
-    }
+    gradientWalk_.add(*shifting_);
 
     forceWalk_.add(stressDivergence_);
+    forceWalk_.add(*artificialViscosity_);
+    forceWalk_.add(*stabilisation_);
     if (!viscousScheme_->stressCarriesShear())
     {
         forceWalk_.add(*viscousScheme_);
     }
-    if (artificialViscosity_->hasPairTerm())
-    {
-        forceWalk_.add(*artificialViscosity_);
-    }
-    if (stabilisation_->hasPairTerm())
-    {
-        forceWalk_.add(*stabilisation_);
-    }
 
     wallVelocityWalk_.add(wallVelocity_);
-    wallStress_ = std::make_unique<WallStress>
-    (
-        wallStressWalk_, boundaries, material.eos(), g,
-        forcesUse("eta"), forcesUse("gradU")
-    );
-    wallStressWalk_.add(*wallStress_);
+    wallStressWalk_.add(wallStress_);
+    if (forcesUse("gradU"))
+    {
+        wallStressWalk_.add(wallVelocityGradient_);
+    }
+    if (forcesUse("eta"))
+    {
+        wallStressWalk_.add(wallViscosity_);
+    }
 
     for
     (
@@ -192,23 +179,19 @@ void Scheme::rheology(const scalar deltaT)
 // T = [-(p + q) 1 + s]/rho^2
 void Scheme::setStress(const ParticleRange& range)
 {
+    using namespace of;
     const scalar shear = viscousScheme_->stressCarriesShear() ? 1 : 0;
-    Particles& P = particles_;
     #pragma omp parallel for schedule(static)
-    for (label i = range.begin; i < range.end; i += laneCount)
+    for
+    (
+        label first = range.begin; first < range.end; first += width<lanes>
+    )
     {
-        const lanes rho = load(&P.rho[i]);
-        const lanes invRhoSqr = 1.0/(rho*rho);
-        const lanes pressure = load(&P.p[i]) + load(&P.q[i]);
-        store
-        (
-            invRhoSqr*(shear*load(&P.s.xx[i]) - pressure), &P.T.xx[i]
-        );
-        store(invRhoSqr*shear*load(&P.s.xy[i]), &P.T.xy[i]);
-        store
-        (
-            invRhoSqr*(shear*load(&P.s.yy[i]) - pressure), &P.T.yy[i]
-        );
+        const ParticleValues<lanes> i(particles_, first);
+        const lanes invRhoSqr = 1.0/(i(rho)*i(rho));
+        const symmTensorLanes sigma = shear*i(s);
+        const lanes P = i(p) + i(q);
+        i.set(T, invRhoSqr*symmTensorLanes{sigma.xx - P, sigma.xy, sigma.yy - P});
     }
 }
 

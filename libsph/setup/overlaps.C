@@ -1,6 +1,6 @@
 #include "setup/regionParticles.H"
 
-#include "particles/CellGrid.H"
+#include "pairs/CellGrid.H"
 
 #include <algorithm>
 #include <iostream>

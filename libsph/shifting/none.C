@@ -12,11 +12,8 @@ namespace
 class noShifting : public Shifting
 {
 public:
-    noShifting(const dictionary&, PairWalk&, const Kernel&)
+    noShifting(const dictionary&, const Particles&, const Kernel&)
     {}
-
-    bool hasPairTerm() const override { return false; }
-    void evaluate(const PairBlock&) override {}
 };
 
 static const Shifting::Add<noShifting> add

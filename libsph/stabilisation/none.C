@@ -12,15 +12,8 @@ namespace
 class noStabilisation : public Stabilisation
 {
 public:
-    noStabilisation
-    (
-        const dictionary&, PairWalk&, const EquationOfState&, const Kernel&
-    )
+    noStabilisation(const dictionary&, const EquationOfState&, const Kernel&)
     {}
-
-    bool hasPairTerm() const override { return false; }
-    bool needsGradRho() const override { return false; }
-    void evaluate(const PairBlock&) override {}
 };
 
 static const Stabilisation::Add<noStabilisation> add

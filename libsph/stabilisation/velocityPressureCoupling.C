@@ -14,6 +14,7 @@
 //     stabilisation  velocityPressureCoupling;
 //     velocityPressureCouplingCoeffs { sigma 1; }
 
+#include "pairs/PairLoop.H"
 #include "stabilisation/Stabilisation.H"
 
 namespace sph
@@ -21,66 +22,62 @@ namespace sph
 namespace
 {
 
-class velocityPressureCoupling : public Stabilisation
+class velocityPressureCoupling
+:
+    public PairSum<velocityPressureCoupling, Stabilisation>
 {
-    Particles& particles_;
     const scalar sigma_;
-    const scalar cSqr_;
+    const EquationOfState& eos_;
     scalar deltaT_ = 0;
-    const PairWalk::Slot Vg_;
-    const PairWalk::Slot p_;
-    const PairWalk::Slot rho_;
-    const PairWalk::Slot gradRho_;
 
 public:
     velocityPressureCoupling
     (
-        const dictionary& dict, PairWalk& walk,
-        const EquationOfState& eos, const Kernel&
+        const dictionary& dict, const EquationOfState& eos, const Kernel&
     )
     :
-        particles_(walk.particles()),
         sigma_(dict.getOrDefault("sigma", 1, dimless, Range::nonNegative())),
-        cSqr_(eos.c()*eos.c()),
-        Vg_(walk.neighbour("Vg")),
-        p_(walk.neighbour("p")),
-        rho_(walk.neighbour("rho")),
-        gradRho_(walk.neighbour("gradRho"))
+        eos_(eos)
     {}
 
     void setDeltaT(const scalar deltaT) override { deltaT_ = deltaT; }
 
-    void evaluate(const PairBlock& block) override
+    static constexpr auto reads = fields(of::Vg, of::p, of::rho, of::gradRho);
+
+    template<class real>
+    struct Sum
     {
-        const label i = block.first;
-        const lanes rho = load(&particles_.rho[i]);
-        const lanes p = load(&particles_.p[i]);
-        const vectorLanes gradRho = load(particles_.gradRho, i);
-        const symmTensorLanes L = load(particles_.L, i);
-        const vectorLanes gradPByRho = (cSqr_/rho)*gradRho;
+        real wide;              // sum V (grad rho/rho)_j - ..._i . grad W
+        real compact;           // sum 2 V F (p_i - p_j)
+        vectorOf<real> N;       // sum V grad W
+    };
 
-        lanes wide = 0, compact = 0;
-        vectorLanes N{0, 0};
-        for (label k = 0; k < block.n; ++k)
-        {
-            const lanes V = block.scalar(Vg_, k);
-            const vectorLanes VgradW = V*block.gradW(k);
-            const vectorLanes Gj =
-                (cSqr_/block.scalar(rho_, k))*block.vector(gradRho_, k);
-            wide += (Gj - gradPByRho) & VgradW;
-            compact += 2.0*V*block.F(k)*(p - block.scalar(p_, k));
-            N += VgradW;
-        }
+    template<class I, class J, class Pair, class real>
+    void add(const I& i, const J& j, const Pair& ij, Sum<real>& sum) const
+    {
+        using namespace of;
+        const vectorOf<real> VgradW = j(Vg)*ij.gradW();
+        sum.wide +=
+            ((1.0/j(rho))*j(gradRho) - (1.0/i(rho))*i(gradRho)) & VgradW;
+        sum.compact += 2.0*j(Vg)*ij.F*(i(p) - j(p));
+        sum.N += VgradW;
+    }
 
-        const lanes laplacian =
-            0.5*(L.xx + L.yy)*(compact - 2.0*rho*(gradPByRho & N));
-        const lanes rhoDot =
+    template<class At, class real>
+    void finish(const At& i, const Sum<real>& sum) const
+    {
+        using namespace of;
+        const scalar cSqr = eos_.c()*eos_.c();
+        const vectorOf<real> gradP = cSqr*i(gradRho);
+        const real laplacian =
+            0.5*(i(L).xx + i(L).yy)*(sum.compact - 2.0*(gradP & sum.N));
+        const real rate =
             sigma_*deltaT_
-           *(laplacian - (gradRho & gradPByRho) - rho*wide);
-        store
-        (
-            select(p > 0, rhoDot, lanes(0)), &particles_.rhoDot[i]
-        );
+           *(
+                laplacian - (i(gradRho) & gradP)/i(rho)
+              - cSqr*i(rho)*sum.wide
+            );
+        i.set(rhoDot, select(i(p) > 0.0, rate, real(0)));
     }
 };
 

@@ -9,6 +9,7 @@
 //
 //     viscousScheme  Cleary;
 
+#include "pairs/PairLoop.H"
 #include "viscousSchemes/ViscousScheme.H"
 
 namespace sph
@@ -16,43 +17,39 @@ namespace sph
 namespace
 {
 
-class Cleary : public ViscousScheme
+class Cleary : public PairSum<Cleary, ViscousScheme>
 {
-    Particles& particles_;
-    const PairWalk::Slot V_;
-    const PairWalk::Slot U_;
-    const PairWalk::Slot eta_;
     const scalar guard_;
 
 public:
-    Cleary(const dictionary&, PairWalk& walk)
+    Cleary(const dictionary&, const Particles& particles)
     :
-        particles_(walk.particles()),
-        V_(walk.neighbour("V")),
-        U_(walk.neighbour("U")),
-        eta_(walk.neighbour("eta")),
-        guard_(0.01*walk.particles().spacing()*walk.particles().spacing())
+        guard_(0.01*particles.spacing()*particles.spacing())
     {}
 
-    void evaluate(const PairBlock& block) override
+    static constexpr auto reads = fields(of::V, of::U, of::eta);
+
+    template<class real>
+    using Sum = vectorOf<real>;
+
+    template<class I, class J, class Pair, class real>
+    void add
+    (
+        const I& i, const J& j, const Pair& ij, vectorOf<real>& sum
+    ) const
     {
-        const label i = block.first;
-        const vectorLanes Ui = load(particles_.U, i);
-        const lanes etai = load(&particles_.eta[i]);
-        vectorLanes sum{0, 0};
-        for (label k = 0; k < block.n; ++k)
-        {
-            const lanes etaj = block.scalar(eta_, k);
-            const lanes harmonic =
-                2.0*etai*etaj/max(etai + etaj, lanes(1e-30));
-            const lanes approach =
-                ((Ui - block.vector(U_, k)) & block.r(k))
-               /(block.rSqr(k) + guard_);
-            sum +=
-                (8.0*block.scalar(V_, k)*harmonic*approach)*block.gradW(k);
-        }
-        const lanes invRho = 1.0/load(&particles_.rho[i]);
-        store(load(particles_.a, i) + invRho*sum, particles_.a, i);
+        using namespace of;
+        const real harmonic =
+            2.0*i(eta)*j(eta)/max(i(eta) + j(eta), real(1e-30));
+        const real approach =
+            ((i(U) - j(U)) & ij.r)/((ij.r & ij.r) + guard_);
+        sum += (8.0*j(V)*harmonic*approach)*ij.gradW();
+    }
+
+    template<class At, class real>
+    void finish(const At& i, const vectorOf<real>& sum) const
+    {
+        i.set(of::a, i(of::a) + (1.0/i(of::rho))*sum);
     }
 };
 

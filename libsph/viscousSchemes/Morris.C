@@ -7,6 +7,7 @@
 //
 //     viscousScheme  Morris;
 
+#include "pairs/PairLoop.H"
 #include "viscousSchemes/ViscousScheme.H"
 
 namespace sph
@@ -14,38 +15,31 @@ namespace sph
 namespace
 {
 
-class Morris : public ViscousScheme
+class Morris : public PairSum<Morris, ViscousScheme>
 {
-    Particles& particles_;
-    const PairWalk::Slot V_;
-    const PairWalk::Slot U_;
-    const PairWalk::Slot eta_;
-
 public:
-    Morris(const dictionary&, PairWalk& walk)
-    :
-        particles_(walk.particles()),
-        V_(walk.neighbour("V")),
-        U_(walk.neighbour("U")),
-        eta_(walk.neighbour("eta"))
+    Morris(const dictionary&, const Particles&)
     {}
 
-    void evaluate(const PairBlock& block) override
+    static constexpr auto reads = fields(of::V, of::U, of::eta);
+
+    template<class real>
+    using Sum = vectorOf<real>;
+
+    template<class I, class J, class Pair, class real>
+    void add
+    (
+        const I& i, const J& j, const Pair& ij, vectorOf<real>& sum
+    ) const
     {
-        const label i = block.first;
-        const vectorLanes Ui = load(particles_.U, i);
-        const lanes etai = load(&particles_.eta[i]);
-        vectorLanes sum{0, 0};
-        for (label k = 0; k < block.n; ++k)
-        {
-            sum +=
-                (
-                    block.scalar(V_, k)*(etai + block.scalar(eta_, k))
-                   *block.F(k)
-                )*(Ui - block.vector(U_, k));
-        }
-        const lanes invRho = 1.0/load(&particles_.rho[i]);
-        store(load(particles_.a, i) + invRho*sum, particles_.a, i);
+        using namespace of;
+        sum += (j(V)*(i(eta) + j(eta))*ij.F)*(i(U) - j(U));
+    }
+
+    template<class At, class real>
+    void finish(const At& i, const vectorOf<real>& sum) const
+    {
+        i.set(of::a, i(of::a) + (1.0/i(of::rho))*sum);
     }
 };
 

@@ -13,11 +13,10 @@ namespace
 class stressDivergence : public ViscousScheme
 {
 public:
-    stressDivergence(const dictionary&, PairWalk&)
+    stressDivergence(const dictionary&, const Particles&)
     {}
 
     bool stressCarriesShear() const override { return true; }
-    void evaluate(const PairBlock&) override {}
 };
 
 static const ViscousScheme::Add<stressDivergence> add

@@ -43,8 +43,8 @@ struct artificialViscosity : testing::Test
         calcGradients(P, *kernel, "kernelGradient;");
         PairWalk walk(P);
         const auto model =
-            make<ArtificialViscosity>(text, walk, *eos, *kernel);
-        ASSERT_TRUE(model->hasPairTerm());
+            make<ArtificialViscosity>(text, *eos, *kernel);
+        ASSERT_TRUE(model->hasSum());
         walkOnce(walk, *model, *kernel);
     }
 
@@ -199,7 +199,7 @@ TEST_F(artificialViscosity, gradientCorrectedHasTheViscosityItSays)
     PairWalk walk(P);
     const auto model = make<ArtificialViscosity>
     (
-        gradientCorrected, walk, *eos, *kernel
+        gradientCorrected, *eos, *kernel
     );
     walkOnce(walk, *model, *kernel);
     const scalar nu = 0.3*eos->c()*kernel->h()/8;
@@ -211,10 +211,9 @@ TEST_F(artificialViscosity, gradientCorrectedHasTheViscosityItSays)
 // q = -chi rho0 c h div within +-p/2, 0 without pressure
 TEST_F(artificialViscosity, bulkPressureResistsVolumeChangeWithinHalfOfP)
 {
-    PairWalk walk(P);
     const auto model = make<ArtificialViscosity>
     (
-        "gradientCorrected; chi 0.7;", walk, *eos, *kernel
+        "gradientCorrected; chi 0.7;", *eos, *kernel
     );
     const scalar factor = 0.7*rho0*eos->c()*kernel->h();
     const scalar p[] = {1e3, 1e3, 1e3, 1e3, 0, -5};
@@ -236,9 +235,8 @@ TEST_F(artificialViscosity, othersHaveNoBulkPressure)
 {
     for (const char* text : {"Monaghan;", "none;"})
     {
-        PairWalk walk(P);
         const auto model =
-            make<ArtificialViscosity>(text, walk, *eos, *kernel);
+            make<ArtificialViscosity>(text, *eos, *kernel);
         for (label i = 0; i < P.granular().end; ++i)
         {
             P.p[i] = 1e3;
@@ -251,10 +249,9 @@ TEST_F(artificialViscosity, othersHaveNoBulkPressure)
             EXPECT_EQ(P.q[i], 0);
         }
     }
-    PairWalk walk(P);
     EXPECT_FALSE
     (
-        make<ArtificialViscosity>("none;", walk, *eos, *kernel)->hasPairTerm()
+        make<ArtificialViscosity>("none;", *eos, *kernel)->hasSum()
     );
 }
 

@@ -203,16 +203,14 @@ INSTANTIATE_TEST_SUITE_P
 
 TEST(correctionEntries, areChecked)
 {
-    Particles P(1);
-    PairWalk walk(P);
     EXPECT_THROW
     (
-        make<Correction>("bulkBlended; lambda0 0.9; lambda1 0.6;", walk),
+        make<Correction>("bulkBlended; lambda0 0.9; lambda1 0.6;"),
         IOError
     );
     EXPECT_THROW
     (
-        make<Correction>("bulkBlended; lambda0 -0.1;", walk), IOError
+        make<Correction>("bulkBlended; lambda0 -0.1;"), IOError
     );
 }
 

@@ -28,7 +28,7 @@ struct stressDivergence : testing::Test
             P.T.set(i, sigma(P.r[i])/(rho*rho));
         }
         PairWalk walk(P);
-        StressDivergence divergence(walk, g);
+        StressDivergence divergence(g);
         walkOnce(walk, divergence, *kernel);
     }
 };
@@ -98,7 +98,7 @@ TEST_F(stressDivergence, forcesOfAPairAreOpposite)
     P.T.set(0, (tensor() << 3, 1, 1, -2).finished());
     P.T.set(1, (tensor() << 1, -4, -4, 5).finished());
     PairWalk walk(P);
-    StressDivergence divergence(walk, {0, 0});
+    StressDivergence divergence({0, 0});
     walkOnce(walk, divergence, *kernel);
     const vector r = P.r[0] - P.r[1];
     const vector expected =

@@ -117,17 +117,17 @@ TEST(neighbourhood, staysCompleteWhileParticlesMove)
 }
 
 // One particle that moves more than half of the skin is enough
-TEST(neighbourhood, rebuildsWhenTheLargestDisplacementExceedsHalfOfTheSkin)
+TEST(neighbourhood, rebuildsWhenDisplacementsDifferByTheSkin)
 {
     TestScene scene(openBox(), dx, squareLattice({0, 0}, 20, 9, dx));
     Particles& P = scene.particles;
     Neighbourhood& neighbourhood = scene.scheme.neighbourhood();
-    const scalar half = 0.5*0.2*scene.scheme.kernel().h();
+    const scalar skin = 0.2*scene.scheme.kernel().h();
     EXPECT_TRUE(neighbourhood.update());
     EXPECT_FALSE(neighbourhood.update());
-    P.r.x[77] += 0.99*half;
+    P.r.x[77] += 0.99*skin;
     EXPECT_FALSE(neighbourhood.update());
-    P.r.x[77] += 0.02*half;
+    P.r.x[77] += 0.02*skin;
     EXPECT_TRUE(neighbourhood.update());
     EXPECT_FALSE(neighbourhood.update());
     neighbourhood.reset();

@@ -30,8 +30,8 @@ struct shifting : testing::Test
     void apply(const std::string& text = "strainRate;")
     {
         PairWalk walk(P);
-        const auto model = make<Shifting>(text, walk, *kernel);
-        ASSERT_TRUE(model->hasPairTerm());
+        const auto model = make<Shifting>(text, walk.particles(), *kernel);
+        ASSERT_TRUE(model->hasSum());
         walkOnce(walk, *model, *kernel);
     }
 
@@ -155,7 +155,7 @@ TEST_F(shifting, evensOutADisorderedSet)
 TEST_F(shifting, noneAsksForNothing)
 {
     PairWalk walk(P);
-    EXPECT_FALSE(make<Shifting>("none;", walk, *kernel)->hasPairTerm());
+    EXPECT_FALSE(make<Shifting>("none;", walk.particles(), *kernel)->hasSum());
     EXPECT_TRUE(walk.fields().empty());
 }
 

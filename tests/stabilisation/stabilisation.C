@@ -34,25 +34,24 @@ TEST_F(stabilisation, countsOnlyGranularNeighbours)
 TEST_F(stabilisation, noneAsksForNothing)
 {
     PairWalk walk(P);
-    const auto model = make<Stabilisation>("none;", walk, *eos, *kernel);
-    EXPECT_FALSE(model->hasPairTerm());
+    const auto model = make<Stabilisation>("none;", *eos, *kernel);
+    EXPECT_FALSE(model->hasSum());
     EXPECT_FALSE(model->needsGradRho());
     EXPECT_TRUE(walk.fields().empty());
 }
 
 TEST_F(stabilisation, refusesNegativeNumbers)
 {
-    PairWalk walk(P);
     EXPECT_THROW
     (
-        make<Stabilisation>("deltaSPH; delta -0.1;", walk, *eos, *kernel),
+        make<Stabilisation>("deltaSPH; delta -0.1;", *eos, *kernel),
         IOError
     );
     EXPECT_THROW
     (
         make<Stabilisation>
         (
-            "velocityPressureCoupling; sigma -1;", walk, *eos, *kernel
+            "velocityPressureCoupling; sigma -1;", *eos, *kernel
         ),
         IOError
     );

@@ -39,7 +39,7 @@ struct viscousSchemes : testing::Test
     {
         const auto kernel = make<Kernel>("cubicSpline;", hByDx*dx);
         PairWalk walk(P);
-        const auto model = make<ViscousScheme>(scheme, walk);
+        const auto model = make<ViscousScheme>(scheme, walk.particles());
         ASSERT_FALSE(model->stressCarriesShear());
         walkOnce(walk, *model, *kernel);
     }
@@ -240,7 +240,7 @@ TEST_F(viscousSchemes, nothingIsViscousWithoutViscosity)
 TEST_F(viscousSchemes, stressDivergenceLeavesTheShearToTheStress)
 {
     PairWalk walk(P);
-    const auto model = make<ViscousScheme>("stressDivergence;", walk);
+    const auto model = make<ViscousScheme>("stressDivergence;", walk.particles());
     EXPECT_TRUE(model->stressCarriesShear());
     EXPECT_TRUE(walk.fields().empty());
 }

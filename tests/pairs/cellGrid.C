@@ -1,4 +1,4 @@
-#include "particles/CellGrid.H"
+#include "pairs/CellGrid.H"
 #include "support/Lattice.H"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "particles/CellGrid.H"
+#include "pairs/CellGrid.H"
 
 #include <algorithm>
 #include <cmath>
@@ -88,35 +88,6 @@ void CellGrid::build
         start_[c] = start_[c - 1];
     }
     start_[0] = 0;
-}
-
-void CellGrid::runsAround
-(
-    const scalar x, const scalar y, Run runs[3]
-) const
-{
-    if (nx_ == 0)
-    {
-        std::fill_n(runs, 3, Run{0, 0});
-        return;
-    }
-    // In scalars first: the point may lie far outside the grid
-    const scalar cx = std::floor((x - origin_.x())/width_);
-    const scalar cy = std::floor((y - origin_.y())/width_);
-    const scalar left = std::max<scalar>(cx - 1, 0);
-    const scalar right = std::min<scalar>(cx + 1, nx_ - 1);
-    for (int row = 0; row < 3; ++row)
-    {
-        const scalar y = cy + row - 1;
-        const bool empty = left > right || y < 0 || y > ny_ - 1;
-        runs[row] =
-            empty ? Run{0, 0}
-          : Run
-            {
-                start_[label(y)*nx_ + label(left)],
-                start_[label(y)*nx_ + label(right) + 1]
-            };
-    }
 }
 
 } // namespace sph
