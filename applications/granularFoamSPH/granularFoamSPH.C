@@ -11,6 +11,7 @@
 #include "runTime/Time.H"
 #include "scheme/Guard.H"
 #include "scheme/Scheme.H"
+#include "scheme/Sleep.H"
 #include "scheme/timeStep.H"
 #include "selection/Libraries.H"
 #include "selection/listModels.H"
@@ -80,6 +81,11 @@ int main(int argc, char* argv[])
         std::cout << "Selecting integrator "
             << solution.get<word>("integrator") << '\n';
         const TimeStep timeStep(solution, material, scheme.kernel().h());
+        Sleep sleep
+        (
+            solution, particles, scheme.neighbourhood(), material.eos(),
+            scheme.kernel().h(), g.norm(), restart
+        );
         Guard guard(solution, particles, material.cP(), material.rho0());
 
         boundaries.setDepths(particles);
@@ -126,6 +132,7 @@ int main(int argc, char* argv[])
 
             integrator->begin(particles, dt);       // (27)-(28)
             netHits += boundaries.net(particles);
+            sleep.update(dt);
             scheme.updatePairs();
             scheme.extrapolateVelocity();           // (21)-(23)
             scheme.gradients();                     // (11)-(13)
@@ -147,6 +154,7 @@ int main(int argc, char* argv[])
                 write(particles, runTime);
                 guard.keep(particles, runTime.value());
                 scheme.neighbourhood().reset();
+                sleep.reset();
             }
             runTime.printExecutionTime();
         }

@@ -158,7 +158,7 @@ label Wall::net(Particles& particles) const
         const scalar length = (points_[s + 1] - points_[s]).norm();
         const vector velocity = velocity_;
         #pragma omp parallel for schedule(static) reduction(+: hits)
-        for (label i = 0; i < particles.granular().end; ++i)
+        for (label i = 0; i < particles.awake().end; ++i)
         {
             const scalar dx = r.x[i] - p.x(), dy = r.y[i] - p.y();
             const scalar height = dx*n.x() + dy*n.y();

@@ -93,7 +93,7 @@ public:
 
     void wrap(Particles& particles) const override
     {
-        for (label i = 0; i < particles.granular().end; ++i)
+        for (label i = 0; i < particles.awake().end; ++i)
         {
             const scalar along = (particles.r[i] - point_).dot(direction_);
             if (along < 0)

@@ -66,7 +66,7 @@ public:
     label net(Particles& particles) const override
     {
         label hits = 0;
-        for (label i = 0; i < particles.granular().end; ++i)
+        for (label i = 0; i < particles.awake().end; ++i)
         {
             const scalar d =
                 (particles.r.x[i] - point_.x())*normal_.x()

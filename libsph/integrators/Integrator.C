@@ -11,7 +11,7 @@ void Integrator::kick(Particles& particles, const scalar deltaT)
     scalar* Uy = particles.U.y.data();
     const scalar* ax = particles.a.x.data();
     const scalar* ay = particles.a.y.data();
-    const label n = particles.granular().end;
+    const label n = particles.awake().end;
     #pragma omp parallel for simd schedule(static)
     for (label i = 0; i < n; ++i)
     {
@@ -28,7 +28,7 @@ void Integrator::drift(Particles& particles, const scalar deltaT)
     const scalar* Uy = particles.U.y.data();
     const scalar* Usx = particles.Us.x.data();
     const scalar* Usy = particles.Us.y.data();
-    const label n = particles.granular().end;
+    const label n = particles.awake().end;
     const scalar maxUs = 0.05*particles.spacing()/deltaT;
     #pragma omp parallel for simd schedule(static)
     for (label i = 0; i < n; ++i)

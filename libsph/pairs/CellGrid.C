@@ -90,4 +90,32 @@ void CellGrid::build
     start_[0] = 0;
 }
 
+void CellGrid::dilate(std::vector<char>& flags) const
+{
+    // Along rows, then across them; before: the flag of the cell passed last
+    for (label y = 0; y < ny_; ++y)
+    {
+        char* row = flags.data() + std::size_t(y)*nx_;
+        char before = 0;
+        for (label x = 0; x < nx_; ++x)
+        {
+            const char here = row[x];
+            row[x] |= before | (x + 1 < nx_ ? row[x + 1] : 0);
+            before = here;
+        }
+    }
+    for (label x = 0; x < nx_; ++x)
+    {
+        char before = 0;
+        for (label y = 0; y < ny_; ++y)
+        {
+            char& flag = flags[std::size_t(y)*nx_ + x];
+            const char here = flag;
+            flag |= before
+                | (y + 1 < ny_ ? flags[std::size_t(y + 1)*nx_ + x] : 0);
+            before = here;
+        }
+    }
+}
+
 } // namespace sph

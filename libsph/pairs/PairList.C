@@ -203,6 +203,7 @@ void PairList::build
         }
     }
     pairCount_ = pairs;
+    ++version_;
 }
 
 } // namespace sph

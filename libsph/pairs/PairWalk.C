@@ -41,12 +41,22 @@ static void forEachPass(const std::vector<PairTerm*>& terms, const Walk& walk)
 void PairWalk::run(const PairList& list, const Kernel& kernel)
 {
     rows_.resize(omp_get_max_threads());
-    const PairRun run{particles_, list, kernel, records_, rows_};
+    records_.resize(terms_.size());
+    const bool packSleepers =
+        packedFor_ != &list || packedVersion_ != list.version();
+    packedFor_ = &list;
+    packedVersion_ = list.version();
+
+    std::size_t pass = 0;
     forEachPass
     (
         terms_,
         [&](PairTerm* const* first, const FusedSums::Group* group)
         {
+            const PairRun run
+            {
+                particles_, list, kernel, records_[pass++], packSleepers, rows_
+            };
             if (group)
             {
                 group->walk(run, first);

@@ -26,6 +26,11 @@ Particles::Particles(const scalar spacing)
         {"Us", K::vector, {&Us.x, &Us.y}, yes, no, "shifting velocity [m/s]"},
         {"rhoDot", K::scalar, {&rhoDot}, yes, no, "density diffusion"},
         {"eta", K::scalar, {&eta}, yes, no, "effective viscosity [Pa s]"},
+        {"asleep", K::scalar, {&asleep}, yes, no, "1: not advanced"},
+        {
+            "Umean", K::vector, {&Umean.x, &Umean.y}, yes, no,
+            "mean velocity of late [m/s]"
+        },
         {"V", K::scalar, {&V}, no, no, "volume per unit depth [m2]"},
         {"p", K::scalar, {&p}, no, no, "pressure [Pa]"},
         {"q", K::scalar, {&q}, no, no, "bulk viscous pressure [Pa]"},
@@ -131,6 +136,7 @@ void Particles::resize(const label nGranular, const label nWall)
     const label oldWall = nWall_;
 
     nGranular_ = nGranular;
+    setAwake(nGranular, nGranular);
     wallBegin_ = roundUpToLanes(nGranular);
     nWall_ = nWall;
     ghostBegin_ = wallBegin_ + roundUpToLanes(nWall);
@@ -148,6 +154,12 @@ void Particles::resize(const label nGranular, const label nWall)
     {
         setNull(i);
     }
+}
+
+void Particles::setAwake(const label nAwake, const label nActive)
+{
+    nAwake_ = std::min(roundUpToLanes(nAwake), nGranular_);
+    nActive_ = std::min(roundUpToLanes(nActive), nGranular_);
 }
 
 void Particles::resizeGhosts(const label nGhost)

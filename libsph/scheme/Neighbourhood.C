@@ -23,11 +23,61 @@ Neighbourhood::Neighbourhood
     boundaries.check(particles, cutOff + skin);
 }
 
+void Neighbourhood::reset()
+{
+    mustSort_ = true;
+    particles_.setAwake(particles_.awake().end, particles_.awake().end);
+}
+
+// Those that are awake first, then sleepers in cells beside theirs, then the
+// others; each in the order of the cells. The last slice of those that are
+// awake is filled up with sleepers, which wake.
+void Neighbourhood::setOrder()
+{
+    scalarField& asleep = particles_.asleep;
+    const labelField& cells = grid_.cells();
+    const label n = particles_.granular().end;
+    nearAwake_.assign(std::size_t(grid_.nx())*grid_.ny(), false);
+    for (label i = 0; i < n; ++i)
+    {
+        nearAwake_[cells[i]] |= !asleep[i];
+    }
+    grid_.dilate(nearAwake_);
+
+    order_.clear();
+    const auto append = [&](const auto& condition)
+    {
+        for (label k = 0; k < n; ++k)
+        {
+            const label i = grid_.particles()[k];
+            if (condition(i))
+            {
+                order_.push_back(i);
+            }
+        }
+        return label(order_.size());
+    };
+    const auto watches = [&](const label i)
+    {
+        return asleep[i] && nearAwake_[cells[i]];
+    };
+    const label nAwake = append([&](const label i) { return !asleep[i]; });
+    const label nActive = append(watches);
+    append([&](const label i) { return asleep[i] && !watches(i); });
+
+    particles_.setAwake(nAwake, nActive);
+    for (label k = nAwake; k < particles_.awake().end; ++k)
+    {
+        asleep[order_[k]] = 0;
+    }
+}
+
 // Rows of cells keep what is near in space near in memory
 void Neighbourhood::sortGranular()
 {
     grid_.build(particles_.r, {particles_.granular()}, cutOff_ + skin_);
-    particles_.reorderGranular(grid_.particles());
+    setOrder();
+    particles_.reorderGranular(order_);
     rebuildsSinceSort_ = 0;
     mustSort_ = false;
 }
@@ -138,7 +188,8 @@ void Neighbourhood::rebuild()
     grid_.build(particles_.r, {granular, walls, ghosts}, reach);
     granularPairs_.build
     (
-        particles_.r, granular, grid_, all, reach, particles_.null()
+        particles_.r, particles_.active(), grid_, all, reach,
+        particles_.null()
     );
     wallPairs_.build
     (

@@ -119,19 +119,35 @@ bool Scheme::forcesUse(const std::string& field) const
 
 void Scheme::updatePairs()
 {
-    neighbourhood_.update();
+    if (neighbourhood_.update() && particles_.sleepers().size() > 0)
+    {
+        setSleepers();
+    }
+}
+
+// What follows from the state of those that do not move; a sort loses it
+void Scheme::setSleepers()
+{
+    const ParticleRange range = particles_.sleepers();
+    setVolumes(range);
+    material_.eos().correct(range, particles_.rho, particles_.p);
+    tensorField& G = particles_.gradU;
+    for (scalarField* f : {&particles_.q, &G.xx, &G.xy, &G.yx, &G.yy})
+    {
+        std::fill_n(f->data() + range.begin, range.size(), 0);
+    }
+    setStress(range);
 }
 
 // V = m/rho
-void Scheme::setVolumes()
+void Scheme::setVolumes(const ParticleRange& range)
 {
-    const label n = particles_.granular().end;
     scalar* V = particles_.V.data();
     scalar* Vg = particles_.Vg.data();
     const scalar* m = particles_.m.data();
     const scalar* rho = particles_.rho.data();
     #pragma omp parallel for simd schedule(static)
-    for (label i = 0; i < n; ++i)
+    for (label i = range.begin; i < range.end; ++i)
     {
         V[i] = Vg[i] = m[i]/rho[i];
     }
@@ -139,7 +155,7 @@ void Scheme::setVolumes()
 
 void Scheme::extrapolateVelocity()
 {
-    setVolumes();
+    setVolumes(particles_.awake());
     neighbourhood_.refreshImages(wallVelocityWalk_.fields());
     wallVelocityWalk_.run(neighbourhood_.wallPairs(), *kernel_);
     neighbourhood_.refreshImages(gradientWalk_.fields());
@@ -152,7 +168,7 @@ void Scheme::gradients()
 
 void Scheme::continuity(const scalar deltaT)
 {
-    const label n = particles_.granular().end;
+    const label n = particles_.awake().end;
     scalar* rho = particles_.rho.data();
     const scalar* div = particles_.div.data();
     const scalar* rhoDot = particles_.rhoDot.data();
@@ -161,19 +177,19 @@ void Scheme::continuity(const scalar deltaT)
     {
         rho[i] += deltaT*(rhoDot[i] - rho[i]*div[i]);
     }
-    setVolumes();
+    setVolumes(particles_.awake());
 }
 
 void Scheme::pressure()
 {
-    const ParticleRange range = particles_.granular();
+    const ParticleRange range = particles_.awake();
     material_.eos().correct(range, particles_.rho, particles_.p);
     artificialViscosity_->bulkPressure(particles_, range);
 }
 
 void Scheme::rheology(const scalar deltaT)
 {
-    material_.rheology().correct(particles_, particles_.granular(), deltaT);
+    material_.rheology().correct(particles_, particles_.awake(), deltaT);
 }
 
 // T = [-(p + q) 1 + s]/rho^2
@@ -197,8 +213,8 @@ void Scheme::setStress(const ParticleRange& range)
 
 void Scheme::extrapolateStress()
 {
-    setStress(particles_.granular());
-    material_.turbulence().addStress(particles_, particles_.granular());
+    setStress(particles_.awake());
+    material_.turbulence().addStress(particles_, particles_.awake());
 
     neighbourhood_.refreshImages(wallStressWalk_.fields());
     wallStressWalk_.run(neighbourhood_.wallPairs(), *kernel_);
