@@ -21,8 +21,8 @@ static inline label appendWithinReach
 {
     const label* indices = grid.particles().data() + e;
 #ifdef __AVX512VL__
-    const lanes dx = x - loadUnaligned(&grid.x()[e]);
-    const lanes dy = y - loadUnaligned(&grid.y()[e]);
+    const __m512d dx = _mm512_set1_pd(x) - _mm512_loadu_pd(&grid.x()[e]);
+    const __m512d dy = _mm512_set1_pd(y) - _mm512_loadu_pd(&grid.y()[e]);
     const __m256i j = _mm256_loadu_si256
     (
         reinterpret_cast<const __m256i*>(indices)
@@ -31,8 +31,7 @@ static inline label appendWithinReach
         ((1u << std::min(end - e, laneCount)) - 1)
       & _mm512_cmp_pd_mask
         (
-            static_cast<__m512d>(dx*dx + dy*dy), _mm512_set1_pd(reachSqr),
-            _CMP_LT_OQ
+            dx*dx + dy*dy, _mm512_set1_pd(reachSqr), _CMP_LT_OQ
         )
       & _mm256_cmpneq_epi32_mask(j, _mm256_set1_epi32(i));
     _mm256_storeu_si256
