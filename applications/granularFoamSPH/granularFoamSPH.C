@@ -12,6 +12,7 @@
 #include "scheme/Guard.H"
 #include "scheme/Scheme.H"
 #include "scheme/Sleep.H"
+#include "scheme/SoundSpeed.H"
 #include "scheme/timeStep.H"
 #include "selection/Libraries.H"
 #include "selection/listModels.H"
@@ -22,8 +23,12 @@
 using namespace sph;
 namespace fs = std::filesystem;
 
-static void write(const Particles& particles, Time& runTime)
+static void write
+(
+    const Particles& particles, const SoundSpeed& soundSpeed, Time& runTime
+)
 {
+    soundSpeed.write(runTime.timePath());
     writeState
     (
         particles, runTime.value(), runTime.timePath(),
@@ -71,7 +76,7 @@ int main(int argc, char* argv[])
         Particles particles;
         const bool complete = readState(runTime.timePath(), particles);
         const bool restart = complete && runTime.index() > 0;
-        const Material material(properties, g, particles.spacing());
+        Material material(properties, g, particles.spacing());
         const Boundaries boundaries(boundary, particles.spacing());
         Scheme scheme
         (
@@ -86,9 +91,11 @@ int main(int argc, char* argv[])
             solution, particles, scheme.neighbourhood(), material.eos(),
             scheme.kernel().h(), g.norm(), restart
         );
-        Guard guard(solution, particles, material.cP(), material.rho0());
+        Guard guard(solution, particles, material);
 
         boundaries.setDepths(particles);
+        SoundSpeed soundSpeed(material.eos(), g, particles, runTime.value());
+        soundSpeed.read(runTime.timePath());
         const dictionary none;
         FunctionObjects functions
         (
@@ -96,7 +103,7 @@ int main(int argc, char* argv[])
             Scene
             {
                 caseDir, runTime.startTimeName(), g,
-                material.rho0(), material.eos().K(), particles
+                material.rho0(), particles
             }
         );
         if (args.found("noFunctionObjects"))
@@ -142,6 +149,10 @@ int main(int argc, char* argv[])
             scheme.extrapolateStress();             // (24)-(26)
             scheme.forces(dt);                      // (14)-(20), (31)-(32)
             integrator->end(particles, dt);
+            if (soundSpeed.follow(runTime.value())) // K, and rho for p
+            {
+                scheme.neighbourhood().reset();
+            }
 
             timeStep.printCourant(particles, dt);
             std::cout << "Pair lists rebuilt: "
@@ -151,7 +162,7 @@ int main(int argc, char* argv[])
             functions.execute(runTime);
             if (runTime.writeTime())
             {
-                write(particles, runTime);
+                write(particles, soundSpeed, runTime);
                 guard.keep(particles, runTime.value());
                 scheme.neighbourhood().reset();
                 sleep.reset();

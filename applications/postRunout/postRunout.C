@@ -73,11 +73,11 @@ static int postRunout(int argc, char* argv[])
     Particles particles;
     snapshots.front().read(particles);
     const MaterialConstants material = readMaterial(*dict, caseDir, particles);
-    const auto& [rho0, g, K] = material;
+    const auto& [rho0, g] = material;
     const DepositGauge gauge(*dict, particles, rho0, g);
 
     OutputFolder folder(caseDir, "postRunout", selected.front().name);
-    Report report(*dict, gauge, Energies(particles, g, K), folder);
+    Report report(*dict, gauge, Energies(particles, g, rho0), folder);
     dict.refuseUnused();
 
     for (const Snapshot& snapshot : selected)
@@ -85,7 +85,8 @@ static int postRunout(int argc, char* argv[])
         snapshot.read(particles);
         report.add
         (
-            snapshot.time, snapshot.name, particles, Energies(particles, g, K)
+            snapshot.time, snapshot.name, particles,
+            Energies(particles, g, rho0)
         );
     }
     const auto counts = report.summarise();

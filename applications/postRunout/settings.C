@@ -1,6 +1,5 @@
 #include "settings.H"
 
-#include "equationsOfState/EquationOfState.H"
 #include "setup/readGravity.H"
 
 #include <algorithm>
@@ -102,31 +101,6 @@ static scalar readRho0
 }
 
 
-static scalar readK
-(
-    const dictionary& dict, const fs::path& properties,
-    const scalar rho0, const vector& g
-)
-{
-    if (dict.found("K"))
-    {
-        return dict.get("K", dimPressure, Range::positive());
-    }
-    if (fs::exists(properties))
-    {
-        const dictionary material = dictionary::fromFile(properties);
-        if (material.found("equationOfState"))
-        {
-            return EquationOfState::New
-            (
-                material, "equationOfState", rho0, g.norm()
-            )->K();
-        }
-    }
-    return 0;
-}
-
-
 MaterialConstants readMaterial
 (
     const dictionary& dict, const fs::path& caseDir, const Particles& start
@@ -138,7 +112,7 @@ MaterialConstants readMaterial
         dict.found("g") ? dict.getVector("g", dimAcceleration)
       : fs::exists(caseDir/"constant"/"g") ? readGravity(caseDir)
       : vector(0, -9.81);
-    return {rho0, g, readK(dict, properties, rho0, g)};
+    return {rho0, g};
 }
 
 

@@ -74,7 +74,7 @@ static int setParticles(int argc, char* argv[])
     std::cout << "\nWriting particles to \"" << time.name << "\"\n";
     const fs::path folder = caseDir/time.name;
     std::error_code ignored;
-    fs::remove(folder/"uniform"/"time", ignored);   // an earlier run's clock
+    fs::remove_all(folder/"uniform", ignored);  // an earlier run's clock and K
     writeState
     (
         particles, time.value, folder,

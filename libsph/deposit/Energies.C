@@ -5,21 +5,18 @@ namespace sph
 
 Energies::Energies
 (
-    const Particles& particles, const vector& g, const scalar K
+    const Particles& particles, const vector& g, const scalar rho0
 )
 {
     const auto [begin, end] = particles.granular();
     for (label i = begin; i < end; ++i)
     {
-        const scalar m = particles.m[i], p = particles.p[i];
+        const scalar m = particles.m[i];
         mass += m;
         momentum += m*particles.U[i];
         centreOfMass += m*particles.r[i];
         kinetic += 0.5*m*particles.U[i].squaredNorm();
-        if (K > 0)
-        {
-            elastic += m/particles.rho[i]*p*p/(2*K);
-        }
+        elastic += 0.5*m*particles.p[i]*(1/rho0 - 1/particles.rho[i]);
     }
     potential = -g.dot(centreOfMass);
     if (mass > 0)

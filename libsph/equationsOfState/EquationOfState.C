@@ -5,19 +5,50 @@
 namespace sph
 {
 
+static bool readAdaptive(const dictionary& dict)
+{
+    const bool adaptive = dict.getOrDefault("adaptive", false);
+    if (adaptive && dict.found("K"))
+    {
+        dict.fail
+        (
+            "K", "adaptive yes: K follows the scene. Give KFactor and H, from"
+            " which it starts, in place of K"
+        );
+    }
+    if (adaptive && dict.getOrDefault("tension", false))
+    {
+        dict.fail
+        (
+            "tension", "adaptive yes is for materials that bear no tension:"
+            " K follows the greatest pressure, not the greatest tension"
+        );
+    }
+    return adaptive;
+}
+
+// A material that follows must stay nearly incompressible and subsonic
+static scalar readKFactor(const dictionary& dict, const bool adaptive)
+{
+    return
+        dict.found("K") ? 0
+      : dict.getOrDefault
+        (
+            "KFactor", 100, dimless,
+            adaptive ? Range{10} : Range::positive()
+        );
+}
+
 static scalar bulkModulus
 (
-    const dictionary& dict, const scalar rho0, const scalar magG
+    const dictionary& dict, const scalar KFactor,
+    const scalar rho0, const scalar magG
 )
 {
     if (dict.found("K"))
     {
         return dict.get("K", dimPressure, Range::positive());
     }
-    const scalar factor = dict.getOrDefault
-    (
-        "KFactor", 100, dimless, Range::positive()
-    );
     const scalar H = dict.get("H", dimLength, Range::positive());
     if (!(magG > 0))
     {
@@ -27,7 +58,7 @@ static scalar bulkModulus
             " give K [Pa] instead"
         );
     }
-    return factor*rho0*magG*H;
+    return KFactor*rho0*magG*H;
 }
 
 EquationOfState::EquationOfState
@@ -36,8 +67,16 @@ EquationOfState::EquationOfState
 )
 :
     rho0_(rho0),
-    K_(bulkModulus(dict, rho0, magG)),
-    c_(std::sqrt(K_/rho0))
-{}
+    adaptive_(readAdaptive(dict)),
+    KFactor_(readKFactor(dict, adaptive_))
+{
+    setK(bulkModulus(dict, KFactor_, rho0, magG));
+}
+
+void EquationOfState::setK(const scalar K)
+{
+    K_ = K;
+    c_ = std::sqrt(K_/rho0_);
+}
 
 } // namespace sph

@@ -5,7 +5,7 @@
 // Monaghan, J. Comput. Phys. 110, 399 (1994), with K = rho0 c^2.
 //
 //     equationOfState  Tait;
-//     TaitCoeffs { KFactor 100; H 0.1; gamma 7; tension no; }
+//     TaitCoeffs { KFactor 100; H 0.1; adaptive no; gamma 7; tension no; }
 
 #include "equationsOfState/EquationOfState.H"
 

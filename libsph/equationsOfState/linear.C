@@ -6,7 +6,7 @@
 // tension; `tension yes` keeps negative pressures (a fluid, as in tests).
 //
 //     equationOfState  linear;
-//     linearCoeffs { KFactor 100; H 0.1; tension no; }
+//     linearCoeffs { KFactor 100; H 0.1; adaptive no; tension no; }
 
 #include "equationsOfState/EquationOfState.H"
 

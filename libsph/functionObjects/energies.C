@@ -3,8 +3,8 @@
 //     energies { type energies; executeInterval 20; }
 //
 // The potential energy counts from the first time of the case, after a restart
-// too; dissipated is what the sum has lost since. Without a known bulk modulus
-// the elastic energy is 0.
+// too; dissipated is what the sum has lost since. The elastic energy is the
+// work of compression from rho0, V p^2/(2K) for the linear law.
 
 #include "deposit/Energies.H"
 #include "deposit/StartState.H"
@@ -19,7 +19,7 @@ namespace
 static Energies startEnergies(const Scene& scene)
 {
     const auto first = readFirstState(scene.caseDir, scene.startTimeName);
-    return {first ? *first : scene.particles, scene.g, scene.K};
+    return {first ? *first : scene.particles, scene.g, scene.rho0};
 }
 
 
@@ -42,7 +42,7 @@ public:
 
     void execute(const scalar time, std::string&) override
     {
-        const Energies now(scene_.particles, scene_.g, scene_.K);
+        const Energies now(scene_.particles, scene_.g, scene_.rho0);
         if (!file_)
         {
             open();

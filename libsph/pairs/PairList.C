@@ -162,7 +162,7 @@ void PairList::build
         thread_local labelField found[laneCount];
         rows.clear();
 
-        #pragma omp for schedule(static)
+        #pragma omp for schedule(static) nowait
         for (label slice = 0; slice < nSlices; ++slice)
         {
             label n[laneCount] = {}, nMax = 0;
@@ -189,10 +189,13 @@ void PairList::build
 
             offset_[slice] = rows.size();
             slices_[slice].n = nMax;
-            rows.resize(rows.size() + nMax*laneCount);
+            resizeSparingly(rows, rows.size() + nMax*laneCount);
             label* row = rows.data() + offset_[slice];
             writeRows(found, n, nMax, null, row);
         }
+
+        // A walk looks ahead beyond the last row
+        resizeSparingly(rows, rows.size() + rowsAhead*laneCount, null);
 
         // Addresses are known once a thread's storage has stopped growing
         #pragma omp for schedule(static)

@@ -38,7 +38,10 @@ static void forEachPass(const std::vector<PairTerm*>& terms, const Walk& walk)
     }
 }
 
-void PairWalk::run(const PairList& list, const Kernel& kernel)
+void PairWalk::run
+(
+    const PairList& list, const Kernel& kernel, const label end
+)
 {
     rows_.resize(omp_get_max_threads());
     records_.resize(terms_.size());
@@ -55,7 +58,8 @@ void PairWalk::run(const PairList& list, const Kernel& kernel)
         {
             const PairRun run
             {
-                particles_, list, kernel, records_[pass++], packSleepers, rows_
+                particles_, list, end, kernel, records_[pass++], packSleepers,
+                rows_
             };
             if (group)
             {

@@ -101,17 +101,17 @@ void Particles::resizeAll(const label size)
 {
     // One slice more than needed: lanes may be loaded from the null particle
     const std::size_t n = roundUpToLanes(size) + laneCount;
-    r.x.resize(n);
-    r.y.resize(n);
+    resizeSparingly(r.x, n);
+    resizeSparingly(r.y, n);
     for (FieldInfo& info : fields_)
     {
         for (scalarField* component : info.components)
         {
-            component->resize(n);
+            resizeSparingly(*component, n);
         }
     }
-    id.resize(n, -1);
-    patch.resize(n, -1);
+    resizeSparingly(id, n, -1);
+    resizeSparingly(patch, n, -1);
 }
 
 void Particles::setNull(const label i)
@@ -195,6 +195,7 @@ void Particles::reorderGranular(const labelField& order)
 
     permute(r.x);
     permute(r.y);
+    permute(lambda);    // sleepers keep it
     for (FieldInfo& info : fields_)
     {
         if (info.state)

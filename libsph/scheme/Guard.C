@@ -1,6 +1,7 @@
 #include "scheme/Guard.H"
 
 #include "io/caseIO.H"
+#include "scheme/SoundSpeed.H"
 
 #include <cmath>
 #include <sstream>
@@ -11,12 +12,10 @@ namespace sph
 Guard::Guard
 (
     const dictionary& solution, const Particles& particles,
-    const scalar cP, const scalar rho0
+    const Material& material
 )
 :
-    cP_(cP),
-    aMax_(10*cP*cP/particles.spacing()),
-    rho0_(rho0)
+    material_(material)
 {
     const dictionary& domain = solution.subOrEmptyDict("domain");
     vector min = particles.r[0], max = particles.r[0];
@@ -81,10 +80,12 @@ void Guard::check(Particles& particles, const Time& runTime)
     const std::string message =
         diagnosis(particles, runTime.value(), runTime.deltaT());
     const word name = runTime.timeName(keptTime_);
+    const std::filesystem::path folder = runTime.caseDir()/name;
     restore(particles);
+    SoundSpeed::write(folder, keptK_);
     writeState
     (
-        particles, keptTime_, runTime.caseDir()/name,
+        particles, keptTime_, folder,
         {
             runTime.writeAscii(), runTime.writeCompressed(),
             runTime.writePrecision()
@@ -97,14 +98,21 @@ void Guard::check(Particles& particles, const Time& runTime)
     );
 }
 
+scalar Guard::aMax(const Particles& particles) const
+{
+    return 10*std::pow(material_.cP(), 2)/particles.spacing();
+}
+
 bool Guard::sound(const Particles& particles) const
 {
     const label n = particles.granular().end;
+    const scalar cP = material_.cP(), rho0 = material_.rho0();
+    const scalar aMax = this->aMax(particles);
     label bad = 0;
     #pragma omp parallel for simd schedule(static) reduction(+: bad)
     for (label i = 0; i < n; ++i)
     {
-        bad += !soundParticle(particles, i, min_, max_, cP_, aMax_, rho0_);
+        bad += !soundParticle(particles, i, min_, max_, cP, aMax, rho0);
     }
     return bad == 0;
 }
@@ -113,6 +121,7 @@ void Guard::keep(const Particles& particles, const scalar time)
 {
     const label n = particles.granular().end;
     keptTime_ = time;
+    keptK_ = material_.eos().K();
     keptR_.x.assign(particles.r.x.begin(), particles.r.x.begin() + n);
     keptR_.y.assign(particles.r.y.begin(), particles.r.y.begin() + n);
     keptId_.assign(particles.id.begin(), particles.id.begin() + n);
@@ -151,11 +160,13 @@ std::string Guard::diagnosis
     const Particles& particles, const scalar time, const scalar deltaT
 ) const
 {
+    const scalar cP = material_.cP(), rho0 = material_.rho0();
+    const scalar aMax = this->aMax(particles);
     label worst = 0;
     label bad = 0;
     for (label i = particles.granular().end - 1; i >= 0; --i)
     {
-        if (!soundParticle(particles, i, min_, max_, cP_, aMax_, rho0_))
+        if (!soundParticle(particles, i, min_, max_, cP, aMax, rho0))
         {
             worst = i;
             ++bad;
@@ -183,18 +194,18 @@ std::string Guard::diagnosis
         os << "it left the domain (" << min_.x() << ' ' << min_.y()
             << ") to (" << max_.x() << ' ' << max_.y() << ')';
     }
-    else if (U.norm() > cP_)
+    else if (U.norm() > cP)
     {
         os << "its speed " << U.norm() << " m/s exceeds that of pressure"
-            << " waves, " << cP_ << " m/s";
+            << " waves, " << cP << " m/s";
     }
-    else if (particles.a[worst].norm() > 0.5*aMax_)
+    else if (particles.a[worst].norm() > 0.5*aMax)
     {
         os << "its acceleration is " << particles.a[worst].norm() << " m/s2";
     }
     else
     {
-        os << "its density is " << rho << " kg/m3, " << rho0_ << " at rest";
+        os << "its density is " << rho << " kg/m3, " << rho0 << " at rest";
     }
     os << "\n\nThe step was deltaT = " << deltaT << " s. What to try:\n";
     if (finite && !inside)
@@ -203,8 +214,8 @@ std::string Guard::diagnosis
             << " larger domain in system/sphSolution\n";
     }
     os << "  - a smaller maxCo in system/controlDict (0.2)\n"
-        << "  - a greater KFactor of the equation of state, if speeds come"
-        << " near that of sound\n"
+        << "  - a greater KFactor of the equation of state, or adaptive yes,"
+        << " if speeds come near that of sound\n"
         << "  - stabilisation, artificialViscosity and shifting other than"
         << " none in system/sphSchemes\n";
     return os.str();

@@ -30,19 +30,16 @@ void Neighbourhood::reset()
 }
 
 // Those that are awake first, then sleepers in cells beside theirs, then the
-// others; each in the order of the cells. The last slice of those that are
-// awake is filled up with sleepers, which wake.
-void Neighbourhood::setOrder()
+// others; each in the order of the cells
+void Neighbourhood::setOrder(const label nMaterialImages)
 {
-    scalarField& asleep = particles_.asleep;
-    const labelField& cells = grid_.cells();
+    const scalarField& asleep = particles_.asleep;
     const label n = particles_.granular().end;
-    nearAwake_.assign(std::size_t(grid_.nx())*grid_.ny(), false);
-    for (label i = 0; i < n; ++i)
+    findNearAwake(nMaterialImages);
+    if (fillAwakeSlice())
     {
-        nearAwake_[cells[i]] |= !asleep[i];
+        findNearAwake(nMaterialImages);
     }
-    grid_.dilate(nearAwake_);
 
     order_.clear();
     const auto append = [&](const auto& condition)
@@ -59,24 +56,75 @@ void Neighbourhood::setOrder()
     };
     const auto watches = [&](const label i)
     {
-        return asleep[i] && nearAwake_[cells[i]];
+        return asleep[i] == 1 && nearAwake_[grid_.cells()[i]];
     };
-    const label nAwake = append([&](const label i) { return !asleep[i]; });
+    const label nAwake = append([&](const label i) { return asleep[i] < 1; });
     const label nActive = append(watches);
-    append([&](const label i) { return asleep[i] && !watches(i); });
-
+    append([&](const label i) { return asleep[i] == 1 && !watches(i); });
     particles_.setAwake(nAwake, nActive);
-    for (label k = nAwake; k < particles_.awake().end; ++k)
+}
+
+// Flags the cells of particles and images that are awake, and those around
+void Neighbourhood::findNearAwake(const label nMaterialImages)
+{
+    scalarField& asleep = particles_.asleep;
+    nearAwake_.assign(std::size_t(grid_.nx())*grid_.ny(), false);
+    for (label i = 0; i < particles_.granular().end; ++i)
     {
-        asleep[order_[k]] = 0;
+        nearAwake_[grid_.cells()[i]] |= asleep[i] < 1;
     }
+    for (label k = 0; k < nMaterialImages; ++k)
+    {
+        const label i = particles_.ghosts().begin + k;
+        const vector r = particles_.r[i];
+        asleep[i] = asleep[images_[k].source];
+        nearAwake_[grid_.cellOf(r.x(), r.y())] |= asleep[i] < 1;
+    }
+    grid_.dilate(nearAwake_);
+}
+
+// Wakes sleepers beside others that are awake, so that these fill whole slices;
+// returns whether there was anything to do
+bool Neighbourhood::fillAwakeSlice()
+{
+    scalarField& asleep = particles_.asleep;
+    const label n = particles_.granular().end;
+    const label nAwake = label
+    (
+        std::count_if
+        (
+            asleep.begin(), asleep.begin() + n,
+            [](const scalar a) { return a < 1; }
+        )
+    );
+    label missing = roundUpToLanes(nAwake) - nAwake;
+    const bool any = missing > 0 && nAwake < n;
+    for (const bool near : {true, false})
+    {
+        for (label k = 0; k < n && missing > 0; ++k)
+        {
+            const label i = grid_.particles()[k];
+            if
+            (
+                asleep[i] == 1
+             && (!near || nearAwake_[grid_.cells()[i]])
+            )
+            {
+                asleep[i] = 0;
+                --missing;
+            }
+        }
+    }
+    return any;
 }
 
 // Rows of cells keep what is near in space near in memory
 void Neighbourhood::sortGranular()
 {
+    // Sleepers watch images, too
+    const label nMaterialImages = makeImages();
     grid_.build(particles_.r, {particles_.granular()}, cutOff_ + skin_);
-    setOrder();
+    setOrder(nMaterialImages);
     particles_.reorderGranular(order_);
     rebuildsSinceSort_ = 0;
     mustSort_ = false;

@@ -119,7 +119,8 @@ bool Scheme::forcesUse(const std::string& field) const
 
 void Scheme::updatePairs()
 {
-    if (neighbourhood_.update() && particles_.sleepers().size() > 0)
+    rebuilt_ = neighbourhood_.update();
+    if (rebuilt_ && particles_.sleepers().size() > 0)
     {
         setSleepers();
     }
@@ -131,10 +132,17 @@ void Scheme::setSleepers()
     const ParticleRange range = particles_.sleepers();
     setVolumes(range);
     material_.eos().correct(range, particles_.rho, particles_.p);
-    tensorField& G = particles_.gradU;
-    for (scalarField* f : {&particles_.q, &G.xx, &G.xy, &G.yx, &G.yy})
+    Particles& P = particles_;
+    for
+    (
+        scalarField* rate :
+        {
+            &P.q, &P.div, &P.gammaDot, &P.I, &P.gradRho.x, &P.gradRho.y,
+            &P.gradU.xx, &P.gradU.xy, &P.gradU.yx, &P.gradU.yy
+        }
+    )
     {
-        std::fill_n(f->data() + range.begin, range.size(), 0);
+        std::fill_n(rate->data() + range.begin, range.size(), 0);
     }
     setStress(range);
 }
@@ -163,7 +171,10 @@ void Scheme::extrapolateVelocity()
 
 void Scheme::gradients()
 {
-    gradientWalk_.run(neighbourhood_.granularPairs(), *kernel_);
+    // Those of sleepers that others see stay as they are between rebuilds
+    const label end =
+        rebuilt_ ? particles_.active().end : particles_.awake().end;
+    gradientWalk_.run(neighbourhood_.granularPairs(), *kernel_, end);
 }
 
 void Scheme::continuity(const scalar deltaT)

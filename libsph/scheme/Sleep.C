@@ -35,17 +35,21 @@ Sleep::Sleep
         mean_ = entry("mean", 0.01);
         imbalance_ = entry("imbalance", 0.08);
         period_ = entry("period", 0.1);
+        rest_ = entry("rest", 0.002);
+        damping_ = entry("damping", 0.05);
     }
     const label n = particles.granular().end;
     if (!active_ || !restart)
     {
-        std::fill_n(particles.asleep.data(), n, 0);
-        std::fill_n(particles.Umean.x.data(), n, 3*mean_*v());
+        std::fill_n(particles.asleep.data(), n, awake);
+        // Switched off: as if moving, for a restart that switches it on
+        const scalar U = active_ ? 3*mean_*v() : v();
+        std::fill_n(particles.Umean.x.data(), n, U);
         std::fill_n(particles.Umean.y.data(), n, 0);
     }
     // A state is written in the order of memory: those that are awake first
     label nAwake = 0;
-    while (nAwake < n && !particles.asleep[nAwake])
+    while (nAwake < n && particles.asleep[nAwake] < asleep)
     {
         ++nAwake;
     }
@@ -78,37 +82,70 @@ void Sleep::average(const scalar deltaT)
     }
 }
 
-// Cells in which particles move, and in which they move enough to wake others;
-// and the cells around them
+// a -= U g/(damping v) of those that are drowsy
+void Sleep::drag(const scalar deltaT)
+{
+    Particles& P = particles_;
+    const scalar f = std::min(deltaT*magG_/(damping_*v()), 1.0);
+    for (label i = 0; i < P.awake().end; ++i)
+    {
+        if (P.asleep[i] == drowsy)
+        {
+            const vector U = P.U[i];
+            momentum_ += f*P.m[i]*U;
+            energy_ += 0.5*P.m[i]*(1 - (1 - f)*(1 - f))*U.squaredNorm();
+            P.U.set(i, (1 - f)*U);
+        }
+    }
+}
+
+// Which particles move, and which move enough to wake others: flags of their
+// cells and those around. Images move as their sources do.
 void Sleep::findMotion()
 {
-    const CellGrid& grid = neighbourhood_.grid();
-    const labelField& cells = grid.cells();
-    moving_.assign(std::size_t(grid.nx())*grid.ny(), false);
-    rousing_ = moving_;
     const Particles& P = particles_;
     const scalar imbalance = imbalance_*tau()*v()*v()/h_;
     const auto ratioSqr = [](const vectorField& U, label i, scalar limit)
     {
         return (U.x[i]*U.x[i] + U.y[i]*U.y[i])/(limit*limit);
     };
+    motion_.assign(P.size(), 0);
     for (label i = 0; i < P.awake().end; ++i)
     {
-        const scalar motionSqr = std::max
+        const scalar ratio = std::max
         (
             ratioSqr(P.U, i, speed_*v()), ratioSqr(P.Umean, i, mean_*v())
         );
-        moving_[cells[i]] |= motionSqr > 1;
-        rousing_[cells[i]] |= motionSqr > 4;
+        const bool stirs =
+            P.asleep[i] != drowsy || ratioSqr(P.U, i, rest_*v()) > 1;
+        motion_[i] =
+            ratio > 4 ? stirring | moving | rousing
+          : ratio > 1 ? stirring | moving
+          : stirs ? stirring
+          : 0;
     }
     for (label i = P.awake().end; i < P.active().end; ++i)
     {
         const bool pushed = ratioSqr(P.Umean, i, imbalance) > 1;
-        moving_[cells[i]] |= pushed;
-        rousing_[cells[i]] |= pushed;
+        motion_[i] = pushed ? stirring | moving | rousing : 0;
     }
-    grid.dilate(moving_);
-    grid.dilate(rousing_);
+    const auto& images = neighbourhood_.images();
+    for (std::size_t k = 0; k < images.size(); ++k)
+    {
+        motion_[P.ghosts().begin + label(k)] = motion_[images[k].source];
+    }
+
+    const CellGrid& grid = neighbourhood_.grid();
+    cellMotion_.assign(std::size_t(grid.nx())*grid.ny(), 0);
+    label k = 0;
+    for (const ParticleRange& range : {P.granular(), P.walls(), P.ghosts()})
+    {
+        for (label i = range.begin; i < range.end; ++i, ++k)
+        {
+            cellMotion_[grid.cells()[k]] |= motion_[i];
+        }
+    }
+    grid.dilate(cellMotion_);
 }
 
 label Sleep::countFallingAsleep() const
@@ -117,7 +154,7 @@ label Sleep::countFallingAsleep() const
     label count = 0;
     for (label i = 0; i < particles_.awake().end; ++i)
     {
-        count += !moving_[cells[i]];
+        count += !(cellMotion_[cells[i]] & stirring);
     }
     return count;
 }
@@ -128,15 +165,24 @@ label Sleep::wakeUp()
     label count = 0;
     for (label i = particles_.awake().end; i < particles_.granular().end; ++i)
     {
-        if (rousing_[cells[i]])
+        if (cellMotion_[cells[i]] & rousing)
         {
-            particles_.asleep[i] = 0;
-            // Not to fall asleep again at once, nor to wake others
+            particles_.asleep[i] = awake;
+            // Not to grow drowsy again at once, nor to wake others
             particles_.Umean.set(i, {1.9*mean_*v(), 0});
             ++count;
         }
     }
     return count;
+}
+
+void Sleep::setDrowsy()
+{
+    const labelField& cells = neighbourhood_.grid().cells();
+    for (label i = 0; i < particles_.awake().end; ++i)
+    {
+        particles_.asleep[i] = cellMotion_[cells[i]] & moving ? awake : drowsy;
+    }
 }
 
 void Sleep::fallAsleep()
@@ -146,11 +192,11 @@ void Sleep::fallAsleep()
     const vector zero = vector::Zero();
     for (label i = 0; i < P.awake().end; ++i)
     {
-        if (!moving_[cells[i]])
+        if (!(cellMotion_[cells[i]] & stirring))
         {
             momentum_ += P.m[i]*P.U[i];
             energy_ += 0.5*P.m[i]*P.U[i].squaredNorm();
-            P.asleep[i] = 1;
+            P.asleep[i] = asleep;
             P.U.set(i, zero);
             P.Us.set(i, zero);
             P.a.set(i, zero);
@@ -166,23 +212,28 @@ void Sleep::update(const scalar deltaT)
     {
         return;
     }
+    advanced_ += particles_.active().size();
+    total_ += particles_.granular().size();
     average(deltaT);
+    drag(deltaT);
     if (++steps_ % interval != 0)
     {
         return;
     }
     findMotion();
     const label falling = countFallingAsleep();
+    setDrowsy();
     const label woken = wakeUp();
     if (woken > 0 || falling > worthwhile*particles_.awake().size())
     {
         fallAsleep();
         neighbourhood_.reset();
         std::cout << "Sleep: " << falling << " fall asleep, " << woken
-            << " wake; awake before: " << particles_.awake().size() << " of "
-            << particles_.granular().size() << "; momentum taken: ("
-            << momentum_.x() << ' ' << momentum_.y() << ") energy taken: "
-            << energy_ << '\n';
+            << " wake; asleep before: " << particles_.sleepers().size()
+            << " of " << particles_.granular().size()
+            << "; particle-steps made: " << 100*advanced_/total_
+            << " %; taken: momentum (" << momentum_.x() << ' '
+            << momentum_.y() << ") energy " << energy_ << '\n';
     }
 }
 

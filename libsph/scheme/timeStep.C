@@ -11,8 +11,8 @@ TimeStep::TimeStep
     const dictionary& solution, const Material& material, const scalar h
 )
 :
+    material_(material),
     h_(h),
-    cP_(material.cP()),
     viscousLimit_
     (
         solution.getOrDefault("viscousLimit", true)
@@ -26,7 +26,7 @@ TimeStep::TimeStep
 
 scalar TimeStep::stable(const Particles& particles) const
 {
-    scalar step = h_/cP_;
+    scalar step = h_/material_.cP();
     if (viscousLimit_)
     {
         const label n = particles.granular().end;
@@ -61,9 +61,9 @@ void TimeStep::printCourant
         largest = magU > largest ? magU : largest;
         sum += magU;
     }
-    const scalar f = deltaT/h_;
-    std::cout << "Courant Number mean: " << f*(cP_ + sum/std::max(n, 1))
-        << " max: " << f*(cP_ + largest) << '\n';
+    const scalar f = deltaT/h_, cP = material_.cP();
+    std::cout << "Courant Number mean: " << f*(cP + sum/std::max(n, 1))
+        << " max: " << f*(cP + largest) << '\n';
 }
 
 } // namespace sph

@@ -1,13 +1,17 @@
 // The same case gives the same bytes: after a restart, and on any number of
 // threads.
 #include "applications/AppCase.H"
+#include "io/caseIO.H"
 
 using namespace sph;
 
 namespace
 {
 
-const wordList stateFiles{"granular.vtp", "walls.vtp", "uniform/time"};
+const wordList stateFiles
+{
+    "granular.vtp", "walls.vtp", "uniform/time", "uniform/equationOfState"
+};
 
 // The files of a time, which must be there
 std::map<word, std::string> stateOf(const AppCase& where, const word& time)
@@ -32,18 +36,33 @@ void expectSame
     }
 }
 
-void expectRestartIsExact(const AppCase& where)
+void expectRestartIsExact
+(
+    const AppCase& where, const word& halfTime = "0.01",
+    const word& endTime = "0.02"
+)
 {
     where.succeed("setParticles");
     where.succeed("granularFoamSPH");
-    const auto half = stateOf(where, "0.01"), end = stateOf(where, "0.02");
+    const auto half = stateOf(where, halfTime), end = stateOf(where, endTime);
     EXPECT_FALSE(half.at("granular.vtp") == end.at("granular.vtp"));
 
-    where.remove("0.02");
+    where.remove(endTime);
     const Outcome outcome = where.succeed("granularFoamSPH");
-    EXPECT_FALSE(contains(outcome.text, "Time = 0.005"));
-    expectSame(stateOf(where, "0.01"), half);
-    expectSame(stateOf(where, "0.02"), end);
+    EXPECT_FALSE(contains(outcome.text, "\nTime = 0.00"));
+    expectSame(stateOf(where, halfTime), half);
+    expectSame(stateOf(where, endTime), end);
+}
+
+label sleepers(const AppCase& where, const word& time)
+{
+    Particles particles;
+    readState(where.dir()/time, particles);
+    const scalar* asleep = particles.asleep.data();
+    return label
+    (
+        std::count(asleep, asleep + particles.granular().end, 1)
+    );
 }
 
 } // namespace
@@ -67,6 +86,62 @@ TEST(repeatability, restartBitForBitFromAscii)
     const AppCase where;
     where.set("system/controlDict", "writeFormat", "ascii");
     expectRestartIsExact(where);
+}
+
+// K falls once before the first write and once after
+TEST(repeatability, restartBitForBitWithASoundSpeedThatFollows)
+{
+    const AppCase where;
+    where.replace
+    (
+        "constant/granularProperties", "\n +KFactor [^;]*;",
+        "\nadaptive yes; KFactor 5000;"
+    );
+    where.replace
+    (
+        "constant/granularProperties", "\\] 0.08748;", "] 0.2;"
+    );
+    expectRestartIsExact(where);
+    const scalar start = 5000*1612*9.81*0.2;
+    const scalar half = dictionary::fromFile
+    (
+        where.dir()/"0.01"/"uniform"/"equationOfState"
+    ).get<scalar>("K");
+    const scalar end = dictionary::fromFile
+    (
+        where.dir()/"0.02"/"uniform"/"equationOfState"
+    ).get<scalar>("K");
+    EXPECT_LT(half, 0.99*start);
+    EXPECT_LT(end, 0.99*half);
+}
+
+// Some sleep when the state is written; others do when the run ends
+TEST(repeatability, restartBitForBitWithSleepers)
+{
+    const AppCase where;
+    where.set("system/setParticlesDict", "nr", "20");
+    where.set("system/controlDict", "writeInterval", "0.18");
+    where.set("system/controlDict", "endTime", "0.36");
+    where.append("system/sphSolution", "sleep {}");
+    expectRestartIsExact(where, "0.18", "0.36");
+    const label half = sleepers(where, "0.18"), end = sleepers(where, "0.36");
+    EXPECT_GT(half, 20);
+    EXPECT_LT(half, 320);
+    EXPECT_GT(end, half);
+
+    // Without the dictionary all wake
+    where.replace("system/sphSolution", "sleep \\{\\}", "");
+    where.remove("0.36");
+    where.succeed("granularFoamSPH");
+    EXPECT_EQ(sleepers(where, "0.36"), 0);
+}
+
+TEST(repeatability, newParticlesBelongToTheEntries)
+{
+    const AppCase where;
+    where.write("0/uniform/equationOfState", "K 1;");
+    where.succeed("setParticles");
+    EXPECT_FALSE(where.has("0/uniform"));
 }
 
 TEST(repeatability, threadsDoNotChangeTheResult)

@@ -1,18 +1,41 @@
 #include "benchmarks/CollapseScene.H"
 
+#include <fstream>
+#include <sstream>
+
 namespace sph
 {
 
-CollapseScene::CollapseScene(const label nr)
+void MaterialState::resize(const label n)
+{
+    for
+    (
+        scalarField* f :
+        {&r.x, &r.y, &U.x, &U.y, &rho, &m, &s.xx, &s.xy, &s.yy}
+    )
+    {
+        f->resize(n);
+    }
+}
+
+// A dictionary of the tutorial; entries that come later replace earlier ones
+static dictionary read(const char* file, const std::string& changes = "")
+{
+    const auto path =
+        std::filesystem::path(SPH_PROJECT_ROOT)
+       /"tutorials/granularFoamSPH/columnCollapse/sandA0.9"/file;
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf() << '\n' << changes;
+    return dictionary::fromString(text.str(), path.string());
+}
+
+CollapseScene::CollapseScene(const label nr, const Changes& changes)
 :
     spacing_(r0_/nr),
-    properties_
-    (
-        dictionary::fromFile(tutorial()/"constant"/"granularProperties")
-    ),
-    boundary_(dictionary::fromFile(tutorial()/"constant"/"boundary")),
-    schemes_(dictionary::fromFile(tutorial()/"system"/"sphSchemes")),
-    solution_(dictionary::fromFile(tutorial()/"system"/"sphSolution")),
+    properties_(read("constant/granularProperties", changes.properties)),
+    boundary_(read("constant/boundary")),
+    schemes_(read("system/sphSchemes", changes.schemes)),
+    solution_(read("system/sphSolution")),
     particles_(spacing_),
     material_(properties_, g_, spacing_),
     boundaries_(boundary_, spacing_),
@@ -32,10 +55,8 @@ CollapseScene::CollapseScene(const label nr)
 void CollapseScene::fill()
 {
     const label nx = std::lround(r0_/spacing_), ny = std::lround(h0_/spacing_);
-    const std::vector<WallParticle> walls = boundaries_.wallParticles();
-    particles_.resize(nx*ny, label(walls.size()));
+    particles_.resize(nx*ny, label(boundaries_.wallParticles().size()));
 
-    const scalar mass = material_.rho0()*spacing_*spacing_;
     label i = 0;
     for (label iy = 0; iy < ny; ++iy)
     {
@@ -47,27 +68,97 @@ void CollapseScene::fill()
             (
                 material_.rho0()*g_.norm()*(h0_ - r.y())
             );
-            particles_.m[i] = mass;
+            particles_.m[i] = material_.rho0()*spacing_*spacing_;
             particles_.id[i] = i;
         }
     }
-    i = particles_.walls().begin;
-    for (const WallParticle& wall : walls)
+    fillWalls();
+}
+
+void CollapseScene::fillWalls()
+{
+    label i = particles_.walls().begin;
+    for (const WallParticle& wall : boundaries_.wallParticles())
     {
         particles_.r.set(i, wall.r);
         particles_.n.set(i, wall.n);
         particles_.depth[i] = wall.depth;
         particles_.patch[i] = wall.patch;
         particles_.rho[i] = material_.rho0();
-        particles_.m[i] = mass;
+        particles_.m[i] = material_.rho0()*spacing_*spacing_;
         ++i;
     }
 }
 
-scalar CollapseScene::neighboursPerParticle() const
+// Velocity and density vary linearly within the square of a particle
+CollapseScene::StatePtr CollapseScene::refined(const label k) const
 {
-    const Neighbourhood& n = const_cast<Scheme&>(scheme_).neighbourhood();
-    return scalar(n.granularPairs().pairCount())/size();
+    MaterialState fine;
+    fine.resize(size()*k*k);
+    label n = 0;
+    for (label i = 0; i < size(); ++i)
+    {
+        for (label child = 0; child < k*k; ++child, ++n)
+        {
+            const vector dr =
+                spacing_/k
+               *vector(child % k - 0.5*(k - 1), child/k - 0.5*(k - 1));
+            fine.r.set(n, particles_.r[i] + dr);
+            fine.U.set(n, particles_.U[i] + particles_.gradU[i]*dr);
+            fine.rho[n] = particles_.rho[i] + particles_.gradRho[i].dot(dr);
+            fine.m[n] = particles_.m[i]/(k*k);
+            fine.s.set(n, particles_.s[i]);
+        }
+    }
+    return std::make_shared<MaterialState>(std::move(fine));
+}
+
+void CollapseScene::rewind()
+{
+    const MaterialState& start = *start_;
+    const label n = label(start.rho.size());
+    particles_.resize(n, particles_.walls().size());
+    for (label i = 0; i < n; ++i)
+    {
+        particles_.r.set(i, start.r[i]);
+        particles_.U.set(i, start.U[i]);
+        particles_.rho[i] = start.rho[i];
+        particles_.m[i] = start.m[i];
+        particles_.s.set(i, start.s[i]);
+        particles_.id[i] = i;
+    }
+    fillWalls();
+    scheme_.neighbourhood().reset();
+    scheme_.initialise();
+    steps_ = 0;
+}
+
+void CollapseScene::step()
+{
+    clock_.start();
+    move(deltaT_);
+    clock_.lap(Part::move);
+
+    const label before = rebuilds();
+    scheme_.updatePairs();
+    clock_.lap(rebuilds() > before ? Part::rebuild : Part::images);
+
+    wallVelocity();
+    clock_.lap(Part::wallVelocity);
+    gradients();
+    clock_.lap(Part::gradients);
+    pointwise(deltaT_);
+    clock_.lap(Part::pointwise);
+    wallStress();
+    clock_.lap(Part::wallStress);
+    scheme_.forces(deltaT_);
+    clock_.lap(Part::forces);
+
+    integrator_->end(particles_, deltaT_);
+    clock_.lap(Part::move);
+    timeStep_.printCourant(particles_, deltaT_);
+    clock_.lap(Part::courantNumber);
+    ++steps_;
 }
 
 } // namespace sph

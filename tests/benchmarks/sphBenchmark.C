@@ -1,107 +1,142 @@
-// Speed of the recommended scheme: nanoseconds a particle of each part of a
-// step, and whole steps on one and two threads. The last line is
+// Speed of the recommended scheme: whole steps, the parts of a step, the walks
+// over pairs against their limits, other models. The last line is
 //
 //     particleSteps/s/core: X
 //
-// whole steps, double precision, one thread, 10^4 particles.
+// whole steps, double precision, one thread, 10^4 particles: the median of
+// many chunks of steps. Options beside those of Google Benchmark:
+//
+//     --large          10^6 particles as well: a minute and 1.5 GB more
+//     --history FILE   CSV file that gets a line (build/benchmarks.csv)
+//
+// All benchmarks are cut into short repetitions, which Google Benchmark runs
+// in random order: a machine whose speed drifts slows all of them alike.
 
-#include "benchmarks/CollapseScene.H"
+#include "benchmarks/history.H"
+#include "benchmarks/machine.H"
+#include "particles/lanes.H"
+#include "primitives/error.H"
 
-#include <benchmark/benchmark.h>
 #include <omp.h>
 
 #include <fstream>
+#include <iomanip>
 #include <iostream>
-#include <map>
 
 namespace sph
 {
 
-// Scenes in mid-collapse, made once for each number of particles
-static CollapseScene& scene(const label nr)
+struct Options
 {
-    static std::map<label, std::unique_ptr<CollapseScene>> scenes;
-    auto& s = scenes[nr];
-    if (!s)
+    bool large = false;
+    std::filesystem::path history =
+        std::filesystem::path(SPH_BIN_DIR).parent_path()/"benchmarks.csv";
+};
+
+// The log of the steps is part of their cost, but nobody wants to read it
+class Silence
+{
+    std::ofstream nowhere_{"/dev/null"};
+    std::streambuf* const before_ = std::cout.rdbuf(nowhere_.rdbuf());
+
+public:
+    ~Silence() { std::cout.rdbuf(before_); }
+};
+
+static void printHelp()
+{
+    std::cout << "sphBenchmark [--large] [--history FILE]\n";
+    benchmark::PrintDefaultHelp();
+}
+
+static Options readOptions(int argc, char* argv[])
+{
+    std::vector<char*> arguments(argv, argv + argc);
+    char interleaved[] = "--benchmark_enable_random_interleaving=true";
+    arguments.insert(arguments.begin() + 1, interleaved);
+    int n = int(arguments.size());
+    benchmark::Initialize(&n, arguments.data(), printHelp);
+
+    Options options;
+    for (int k = 1; k < n; ++k)
     {
-        s = std::make_unique<CollapseScene>(nr);
-        // 0.1 s: the fastest part of the collapse
-        for (label step = 0; step < 22*nr; ++step)
+        const std::string argument = arguments[k];
+        if (argument == "--large")
         {
-            s->step();
+            options.large = true;
+        }
+        else if (argument == "--history" && k + 1 < n)
+        {
+            options.history = arguments[++k];
+        }
+        else
+        {
+            throw Error("Unknown option " + argument + "; see --help");
         }
     }
-    return *s;
+    return options;
 }
 
-template<void (CollapseScene::*Part)()>
-static void part(benchmark::State& state)
+// Returns whether all went well
+static bool print
+(
+    const Samples& samples, std::ostream& os, const Options& options
+)
 {
+    bool written = true;
+    const scalar median = 1e9/samples.median("step");
+    const scalar best = 1e9/samples.min("step");
+    Figures figures{{"particleSteps/s", median}, {"best", best}};
+    os << processor() << ", " << width<lanes> << " lanes, " << compiler()
+        << ", commit " << version() << '\n';
+    printWholeSteps(samples, os, figures);
+    printParts(samples, os, figures);
+    printLimits(samples, os, figures);
+    printModels(samples, os, figures);
+    if (benchmark::GetBenchmarkFilter().empty())
+    {
+        try
+        {
+            appendToHistory(options.history, figures);
+            os << "\nHistory: " << options.history.string() << '\n';
+        }
+        catch (const Error& error)
+        {
+            os << "\nNo line in the history: " << error.what() << '\n';
+            written = false;
+        }
+    }
+    if (best > 0)
+    {
+        os << std::scientific << std::setprecision(3)
+            << "\nparticleSteps/s/core best: " << best
+            << "\nparticleSteps/s/core: " << median << std::endl;
+    }
+    return written;
+}
+
+static int run(int argc, char* argv[])
+{
+    const Options options = readOptions(argc, argv);
+    addWholeSteps(options.large);
+    addParts();
+    addLimits();
+    addModels();
+
     omp_set_num_threads(1);
-    CollapseScene& s = scene(label(state.range(0)));
-    const scalar begin = omp_get_wtime();
-    for (auto _ : state)
+    Samples samples;
+    std::ostream os(std::cout.rdbuf());
+    samples.SetOutputStream(&os);
     {
-        (s.*Part)();
+        const Silence silence;
+        benchmark::RunSpecifiedBenchmarks(&samples);
     }
-    state.counters["ns/particle"] =
-        1e9*(omp_get_wtime() - begin)/state.iterations()/s.size();
+    return samples.empty() || print(samples, os, options) ? 0 : 1;
 }
-
-static scalar particleSteps = 0;
-
-static void wholeStep(benchmark::State& state)
-{
-    const label nr = label(state.range(0)), threads = label(state.range(1));
-    CollapseScene& s = scene(nr);
-    omp_set_num_threads(threads);
-    const scalar begin = omp_get_wtime();
-    for (auto _ : state)
-    {
-        s.step();
-    }
-    const scalar rate =
-        scalar(state.iterations())*s.size()/(omp_get_wtime() - begin);
-    state.counters["particles"] = s.size();
-    state.counters["neighbours"] = s.neighboursPerParticle();
-    state.counters["Mparticle-steps/s"] = 1e-6*rate;
-    if (nr == 105 && threads == 1)
-    {
-        particleSteps = std::max(particleSteps, rate);
-    }
-}
-
-BENCHMARK(part<&CollapseScene::move>)->Name("move")->Arg(105);
-BENCHMARK(part<&CollapseScene::rebuildPairs>)->Name("rebuildPairs")->Arg(105);
-BENCHMARK(part<&CollapseScene::wallVelocity>)->Name("wallVelocity")->Arg(105);
-BENCHMARK(part<&CollapseScene::gradients>)->Name("gradients")->Arg(105);
-BENCHMARK(part<&CollapseScene::pointwise>)->Name("pointwise")->Arg(105);
-BENCHMARK(part<&CollapseScene::wallStress>)->Name("wallStress")->Arg(105);
-BENCHMARK(part<&CollapseScene::forces>)->Name("forces")->Arg(105);
-
-// Steps move the scene on: a fixed number of them, so that runs compare
-BENCHMARK(wholeStep)->Name("wholeStep")->ArgNames({"nr", "threads"})
-    ->Args({105, 1})->Args({105, 2})->Iterations(400)->Repetitions(3)
-    ->UseRealTime()->Unit(benchmark::kMillisecond);
 
 } // namespace sph
 
 int main(int argc, char* argv[])
 {
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv))
-    {
-        return 1;
-    }
-    // The log of the steps is part of their cost, but nobody wants to read it
-    std::ofstream nowhere("/dev/null");
-    std::ostream report(std::cout.rdbuf());
-    std::cout.rdbuf(nowhere.rdbuf());
-    benchmark::ConsoleReporter console(benchmark::ConsoleReporter::OO_Tabular);
-    console.SetOutputStream(&report);
-    console.SetErrorStream(&report);
-    benchmark::RunSpecifiedBenchmarks(&console);
-    report << "particleSteps/s/core: " << sph::particleSteps << std::endl;
-    std::cout.rdbuf(report.rdbuf());
-    return 0;
+    return sph::runMain("sphBenchmark", [&]() { return sph::run(argc, argv); });
 }

@@ -84,6 +84,46 @@ TEST_P(equationsOfState, entriesAreChecked)
     );
 }
 
+TEST_P(equationsOfState, anotherKTakesTheSoundSpeedAlong)
+{
+    const auto e = eos("KFactor 100; H 0.1; adaptive yes;");
+    EXPECT_TRUE(e->adaptive());
+    EXPECT_EQ(e->KFactor(), 100);
+    EXPECT_FALSE(eos("KFactor 100; H 0.1;")->adaptive());
+    EXPECT_NEAR(e->K(), 100*rho0*g*0.1, 1e-9);
+    e->setK(3e5);
+    EXPECT_EQ(e->K(), 3e5);
+    EXPECT_NEAR(e->c(), std::sqrt(3e5/rho0), 1e-12);
+    EXPECT_NEAR(e->pressure(e->density(1e3)), 1e3, 1e-8);
+    EXPECT_NEAR(e->density(1e3), rho0*(1 + 1e3/3e5), 0.1);
+}
+
+TEST_P(equationsOfState, adaptiveNeedsAScaleAndNoTension)
+{
+    EXPECT_THROW(eos("adaptive yes;"), IOError);
+    EXPECT_THROW(eos("adaptive often; H 0.1;"), IOError);
+    EXPECT_THROW(eos("adaptive yes; KFactor 5; H 0.1;"), IOError);
+    const auto text = [&](const std::string& entries)
+    {
+        try
+        {
+            eos(entries);
+        }
+        catch (const IOError& error)
+        {
+            return error.block();
+        }
+        return std::string();
+    };
+    EXPECT_NE(text("adaptive yes; K 1e5;").find("KFactor"), std::string::npos);
+    EXPECT_NE
+    (
+        text("adaptive yes; H 0.1; tension yes;").find("tension"),
+        std::string::npos
+    );
+    EXPECT_NO_THROW(eos("adaptive no; K 1e5; tension yes;"));
+}
+
 INSTANTIATE_TEST_SUITE_P
 (
     all, equationsOfState, testing::Values("linear", "Tait"),

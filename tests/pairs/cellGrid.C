@@ -89,6 +89,70 @@ TEST(cellGrid, runsHoldWhatIsWithinOneWidth)
     }
 }
 
+// Rows of one cell and columns of one cell too
+TEST(cellGrid, dilateReachesTheEightCellsAround)
+{
+    const std::vector<std::pair<label, label>> sizes
+    {
+        {1, 1}, {1, 2}, {2, 1}, {1, 17}, {17, 1}, {2, 2}, {9, 6}, {23, 31}
+    };
+    std::mt19937_64 engine(11);
+    for (const auto& [nx, ny] : sizes)
+    {
+        Particles P(1);
+        place(P, squareLattice({0, 0}, nx, ny, 1), 1);
+        const CellGrid grid = binned(P, 1);
+        ASSERT_EQ(grid.nx(), nx);
+        ASSERT_EQ(grid.ny(), ny);
+        for (const scalar share : {0.0, 0.02, 0.1, 0.4, 1.0})
+        {
+            std::vector<char> flags(std::size_t(nx)*ny);
+            std::bernoulli_distribution flag(share);
+            std::generate
+            (
+                flags.begin(), flags.end(), [&]{ return flag(engine); }
+            );
+            std::vector<char> expected(flags.size(), false);
+            for (label c = 0; c < nx*ny; ++c)
+            {
+                for (label d = 0; d < nx*ny; ++d)
+                {
+                    const bool near =
+                        std::abs(c % nx - d % nx) <= 1
+                     && std::abs(c/nx - d/nx) <= 1;
+                    expected[c] |= near && flags[d];
+                }
+            }
+            grid.dilate(flags);
+            EXPECT_EQ(flags, expected) << nx << " x " << ny << ' ' << share;
+        }
+    }
+}
+
+TEST(cellGrid, knowsTheCellOfEveryParticle)
+{
+    Particles P(1);
+    place(P, randomPoints(300, {0, 0}, {2, 1}), 1);
+    const CellGrid grid = binned(P, 0.1);
+    for (label i = 0; i < 300; ++i)
+    {
+        for (label j = 0; j < 300; ++j)
+        {
+            const label a = grid.cells()[i], b = grid.cells()[j];
+            const label dx = std::abs(a % grid.nx() - b % grid.nx());
+            const label dy = std::abs(a/grid.nx() - b/grid.nx());
+            if ((P.r[i] - P.r[j]).norm() < 0.1)
+            {
+                EXPECT_LE(std::max(dx, dy), 1);
+            }
+            else if ((P.r[i] - P.r[j]).norm() > 0.3)
+            {
+                EXPECT_GT(std::max(dx, dy), 1);
+            }
+        }
+    }
+}
+
 TEST(cellGrid, ofNothingHasEmptyRuns)
 {
     Particles P(1);

@@ -229,6 +229,177 @@ TEST_P(pairWalk, ofNothingDoesNothing)
     walk(direct);
 }
 
+namespace
+{
+
+// Some of the particles of pairWalk are awake, some watch; and images
+struct partlyAsleep : pairWalk
+{
+    std::mt19937_64 engine{5};
+    PairList list;
+
+    partlyAsleep()
+    {
+        P.resizeGhosts(60);
+        P.setAwake(200, 320);
+        const Points points = randomPoints(60, {0.9, 1}, {1, 3}, 4);
+        for (label k = 0; k < 60; ++k)
+        {
+            P.r.set(P.ghosts().begin + k, points[k]);
+        }
+        vary(P.ghosts());
+        build(list);
+    }
+
+    void build(PairList& built) const
+    {
+        CellGrid grid;
+        grid.build(P.r, {P.granular(), P.ghosts()}, kernel->cutOff());
+        const ParticleRange all[2] = {{0, P.null()}, {0, 0}};
+        built.build
+        (
+            P.r, P.active(), grid, all, kernel->cutOff(), P.null()
+        );
+    }
+
+    // Other values of all that everySum reads
+    void vary(const ParticleRange& range)
+    {
+        std::uniform_real_distribution<scalar> number(-1, 1);
+        for (const char* name : {"V", "U", "s", "gradU"})
+        {
+            for (scalarField* c : P.field(name).components)
+            {
+                for (label i = range.begin; i < range.end; ++i)
+                {
+                    (*c)[i] = number(engine);
+                }
+            }
+        }
+    }
+
+    void move(const ParticleRange& range)
+    {
+        std::uniform_real_distribution<scalar> shift(-1e-3, 1e-3);
+        for (label i = range.begin; i < range.end; ++i)
+        {
+            P.r.set(i, P.r[i] + vector(shift(engine), shift(engine)));
+        }
+    }
+
+    // What a walk sums up for those that are active, bit for bit
+    std::vector<scalar> sums(PairWalk& walk)
+    {
+        walk.run(list, *kernel);
+        std::vector<scalar> values;
+        for (label i = 0; i < P.active().end; ++i)
+        {
+            for (const scalarField* f : {&P.p, &P.a.x, &P.a.y, &P.T.xy, &P.q})
+            {
+                values.push_back((*f)[i]);
+            }
+        }
+        return values;
+    }
+
+    std::vector<scalar> afresh(PairTerm& term)
+    {
+        PairWalk walk(P);
+        walk.add(term);
+        return sums(walk);
+    }
+};
+
+} // namespace
+
+TEST_P(partlyAsleep, onlyThoseThatAreActiveAreSummed)
+{
+    everySum<true> term;
+    const scalar untouched = 77;
+    std::fill(P.p.begin(), P.p.end(), untouched);
+    afresh(term);
+    for (label i = 0; i < P.granular().end; ++i)
+    {
+        EXPECT_EQ(P.p[i] == untouched, i >= P.active().end) << i;
+    }
+}
+
+// Those that are awake, that watch, and images, at every run
+TEST_P(partlyAsleep, whatMayChangeIsPackedAgain)
+{
+    everySum<true> term;
+    PairWalk walk(P);
+    walk.add(term);
+    auto before = sums(walk);
+    for (const ParticleRange& range : {P.awake(), P.watching(), P.ghosts()})
+    {
+        vary(range);
+        move(range);
+        const auto now = sums(walk);
+        EXPECT_NE(now, before);
+        EXPECT_EQ(now, afresh(term));
+        before = now;
+    }
+}
+
+TEST_P(partlyAsleep, whatIsSoundAsleepIsPackedOnceAList)
+{
+    const ParticleRange sound{P.active().end, P.granular().end};
+    everySum<true> term;
+    PairWalk walk(P);
+    walk.add(term);
+    const auto before = sums(walk);
+    vary(sound);
+    EXPECT_EQ(sums(walk), before);
+    EXPECT_NE(afresh(term), before);
+
+    build(list);
+    EXPECT_EQ(sums(walk), afresh(term));
+
+    // Another list in between
+    PairList other;
+    build(other);
+    vary(sound);
+    walk.run(other, *kernel);
+    EXPECT_EQ(sums(walk), afresh(term));
+}
+
+TEST_P(partlyAsleep, directSumsSeeEveryChange)
+{
+    everySum<false> term;
+    PairWalk walk(P);
+    walk.add(term);
+    const auto before = sums(walk);
+    vary({P.active().end, P.granular().end});
+    const auto now = sums(walk);
+    EXPECT_NE(now, before);
+    EXPECT_EQ(now, afresh(term));
+}
+
+TEST_P(partlyAsleep, bitsDoNotDependOnTheNumberOfThreads)
+{
+    everySum<true> term;
+    std::vector<scalar> one;
+    for (const int n : {1, 2, 3})
+    {
+        const Threads threads(n);
+        PairWalk walk(P);
+        walk.add(term);
+        sums(walk);
+        engine.seed(9);
+        vary(P.awake());
+        const auto values = sums(walk);
+        EXPECT_EQ(values, one.empty() ? values : one);
+        one = values;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P
+(
+    kernels, partlyAsleep, testing::Values("cubicSpline", "quinticSpline"),
+    [](const auto& info) { return info.param; }
+);
+
 // The cubic spline is compiled into the loop, others are evaluated row by row
 INSTANTIATE_TEST_SUITE_P
 (

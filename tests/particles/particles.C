@@ -111,6 +111,57 @@ TEST(particles, growingGhostsKeepsGranularAndWalls)
     EXPECT_EQ(P.id[P.walls().begin + 4], 2020);
 }
 
+TEST(particles, allAreAwakeAfterResize)
+{
+    Particles P(0.1);
+    P.resize(45, 5);
+    P.setAwake(16, 24);
+    for (const label n : {45, 13, 61})
+    {
+        P.resize(n, 5);
+        EXPECT_EQ(P.awake().end, n);
+        EXPECT_EQ(P.active().end, n);
+        EXPECT_EQ(P.watching().size(), 0);
+        EXPECT_EQ(P.sleepers().size(), 0);
+    }
+}
+
+// [awake | watching | sound asleep], whole slices of the first two
+TEST(particles, sleepersStandBehindThoseThatAreAwake)
+{
+    Particles P(0.1);
+    const label n = 45;
+    P.resize(n, 5);
+    for (label nAwake = 0; nAwake <= n; ++nAwake)
+    {
+        for (label nActive = nAwake; nActive <= n; ++nActive)
+        {
+            P.setAwake(nAwake, nActive);
+            EXPECT_EQ(P.awake().begin, 0);
+            EXPECT_EQ(P.active().begin, 0);
+            EXPECT_EQ(P.watching().begin, P.awake().end);
+            EXPECT_EQ(P.watching().end, P.active().end);
+            EXPECT_EQ(P.sleepers().begin, P.awake().end);
+            EXPECT_EQ(P.sleepers().end, n);
+            for
+            (
+                const auto& [end, least] :
+                {
+                    std::pair{P.awake().end, nAwake},
+                    std::pair{P.active().end, nActive}
+                }
+            )
+            {
+                EXPECT_TRUE(end % laneCount == 0 || end == n);
+                EXPECT_GE(end, least);
+                EXPECT_LT(end, least + laneCount);
+            }
+        }
+    }
+    EXPECT_EQ(P.granular().size(), n);
+    EXPECT_EQ(P.walls().begin, 48);
+}
+
 // A particle's whole state moves with its identity
 TEST(particles, sortingMovesStateWithIdentity)
 {
@@ -161,7 +212,13 @@ TEST(particles, everythingThatARestartNeedsIsState)
             state.insert(info.name);
         }
     }
-    for (const char* name : {"U", "rho", "m", "s", "a", "Us", "rhoDot", "eta"})
+    for
+    (
+        const char* name :
+        {
+            "U", "rho", "m", "s", "a", "Us", "rhoDot", "eta", "asleep", "Umean"
+        }
+    )
     {
         EXPECT_EQ(state.count(name), 1u) << name;
     }

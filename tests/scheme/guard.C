@@ -15,14 +15,24 @@ namespace
 
 struct guard : testing::Test
 {
+    Quiet quiet;
     Particles P{0.1};
     const scalar cP = 20, rho0 = 1500;
+    Material material
+    {
+        dictionary::fromString
+        (
+            "rho0 1500; equationOfState linear; linearCoeffs { K 6e5; }"
+            "rheology Newtonian; eta 0;"
+        ),
+        {0, -9.81}, 0.1
+    };
 
     guard() { place(P, squareLattice({0, 0}, 6, 5, 0.1), rho0); }
 
     Guard made(const std::string& domain = "") const
     {
-        return Guard(dictionary::fromString(domain), P, cP, rho0);
+        return Guard(dictionary::fromString(domain), P, material);
     }
 
     // What is said after an accident at particle 7
@@ -30,7 +40,6 @@ struct guard : testing::Test
     {
         const TestCase dir;
         dir.mkdir("0");
-        const Quiet quiet;
         Time runTime
         (
             dir.dir(),
@@ -45,6 +54,8 @@ struct guard : testing::Test
         guard.keep(P, 0.25);
         P.U.set(7, {3, 4});
         spoil(P);
+        const scalar keptK = material.eos().K();
+        material.eos().setK(0.9*keptK);
         EXPECT_FALSE(guard.sound(P));
         const std::string text = errorOf([&] { guard.check(P, runTime); });
 
@@ -53,6 +64,14 @@ struct guard : testing::Test
         readState(dir.dir()/"0.25", written);
         EXPECT_EQ(written.granular().size(), 30);
         EXPECT_EQ(written.U[7], vector(1, 2)) << "the last good state";
+        EXPECT_EQ
+        (
+            dictionary::fromFile
+            (
+                dir.dir()/"0.25"/"uniform"/"equationOfState"
+            ).get<scalar>("K"),
+            keptK
+        );
         EXPECT_CONTAINS(text, "particle 7");
         EXPECT_CONTAINS(text, "0.25");
         EXPECT_CONTAINS(text, "What to try");
@@ -68,6 +87,23 @@ TEST_F(guard, letsAGoodStatePass)
     P.U.set(3, {19, 0});
     P.rho[4] = 0.5*rho0;
     EXPECT_TRUE(made().sound(P));
+}
+
+TEST_F(guard, seesThePresentSoundSpeed)
+{
+    const Guard guard = made();
+    const auto soundAt = [&](const scalar factor)
+    {
+        material.eos().setK(factor*6e5);
+        return guard.sound(P);
+    };
+    P.U.set(3, {19, 0});
+    EXPECT_TRUE(soundAt(1));
+    EXPECT_FALSE(soundAt(0.9));
+    P.U.set(3, {0, 0});
+    P.a.set(4, {0, 9.5*cP*cP/0.1});
+    EXPECT_TRUE(soundAt(1));
+    EXPECT_FALSE(soundAt(0.9));
 }
 
 TEST_F(guard, findsNumbersThatAreNotFinite)

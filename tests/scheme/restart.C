@@ -1,5 +1,6 @@
 #include "../runTime/TestCase.H"
 #include "io/caseIO.H"
+#include "scheme/SoundSpeed.H"
 #include "support/Scene.H"
 
 #include <gtest/gtest.h>
@@ -44,34 +45,78 @@ std::map<std::int64_t, std::vector<scalar>> state(const Particles& P)
     return all;
 }
 
-// 60 steps, writing after step 30; and 30 steps out of what was written
-void expectSameBits(const CaseText& text)
+// A scene whose sound speed may follow it
+struct Run
+{
+    TestScene scene;
+    SoundSpeed soundSpeed;
+    scalar time;
+
+    template<class... Args>
+    Run(const scalar time, const CaseText& text, const Args&... points)
+    :
+        scene(text, dx, points...),
+        soundSpeed
+        (
+            scene.material.eos(), text.g, scene.particles, time
+        ),
+        time(time)
+    {}
+
+    void go(const label steps)
+    {
+        const Quiet quiet;
+        for (label k = 0; k < steps; ++k)
+        {
+            const scalar dt = scene.acousticStep(0.3);
+            scene.step(dt);
+            time += dt;
+            soundSpeed.follow(time);
+        }
+    }
+};
+
+// Steps, writing, and some more; and these out of what was written. Returns K
+// at the start, in between and at the end
+std::array<scalar, 3> expectSameBits
+(
+    const CaseText& text, const label before = 31, const label after = 45
+)
 {
     const TestCase dir;
-    TestScene whole(text, dx, squareLattice({0, 0}, 12, 11, dx));
-    whole.boundaries.setDepths(whole.particles);
-    whole.hydrostatic(9.81, 11*dx);
-    whole.scheme.initialise();
-    const scalar dt = whole.acousticStep(0.3);
-    whole.run(dt, 31);
-    writeState(whole.particles, 31*dt, dir.dir()/"31", {});
-    whole.scheme.neighbourhood().reset();
-    whole.run(dt, 45);
+    Run whole(0, text, squareLattice({0, 0}, 12, 11, dx));
+    whole.scene.boundaries.setDepths(whole.scene.particles);
+    whole.scene.hydrostatic(9.81, 11*dx);
+    whole.scene.scheme.initialise();
+    const EquationOfState& eos = whole.scene.material.eos();
+    std::array<scalar, 3> K{eos.K(), 0, 0};
+    whole.go(before);
+    K[1] = eos.K();
+    whole.soundSpeed.write(dir.dir()/"31");
+    writeState(whole.scene.particles, whole.time, dir.dir()/"31", {});
+    whole.scene.scheme.neighbourhood().reset();
+    const scalar time = whole.time;
+    whole.go(after);
+    K[2] = eos.K();
 
-    TestScene again(text, dx);
-    ASSERT_TRUE(readState(dir.dir()/"31", again.particles));
-    again.boundaries.setDepths(again.particles);
-    again.run(dt, 45);
+    Run again(time, text);
+    EXPECT_TRUE(readState(dir.dir()/"31", again.scene.particles));
+    again.scene.boundaries.setDepths(again.scene.particles);
+    again.soundSpeed.read(dir.dir()/"31");
+    EXPECT_EQ(again.scene.material.eos().K(), K[1]);
+    again.go(after);
 
-    const auto expected = state(whole.particles);
+    const auto expected = state(whole.scene.particles);
     EXPECT_EQ(expected.size(), 12u*11u);
-    EXPECT_EQ(state(again.particles), expected);
+    EXPECT_EQ(state(again.scene.particles), expected);
+    EXPECT_EQ(again.scene.material.eos().K(), K[2]);
     scalar speed = 0;
-    for (label i = 0; i < whole.particles.granular().end; ++i)
+    for (label i = 0; i < whole.scene.particles.granular().end; ++i)
     {
-        speed = std::max(speed, whole.particles.U[i].norm());
+        speed = std::max(speed, whole.scene.particles.U[i].norm());
     }
     EXPECT_GT(speed, 0.01);
+    return K;
 }
 
 } // namespace
@@ -104,6 +149,19 @@ TEST(restart, isTheSameRunForThePapersScheme)
     text.turbulence = "turbulence Smagorinsky;";
     text.boundary.replace(text.boundary.find("noSlip"), 6, "Morris");
     expectSameBits(text);
+}
+
+TEST(restart, isTheSameRunWithASoundSpeedThatFollows)
+{
+    for (const word eos : {"linear", "Tait"})
+    {
+        CaseText text = collapse();
+        text.equationOfState = "equationOfState " + eos
+          + "; adaptive yes; KFactor 300; H 0.14;";
+        const auto K = expectSameBits(text, 450, 200);
+        EXPECT_LT(K[1], K[0]);
+        EXPECT_LT(K[2], K[1]);
+    }
 }
 
 } // namespace sph
