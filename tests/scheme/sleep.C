@@ -88,7 +88,7 @@ TEST(sleep, whatFallsNeverSleeps)
         for (label k = 1; k <= steps; ++k)
         {
             scene.step(dt);
-            ASSERT_EQ(scene.asleep(), 0) << k*dt;
+            ASSERT_EQ(scene.calm(), 0) << k*dt;
             slow += scene.particles.U[0].norm() < 0.02*scene.v();
         }
         const vector U(0, upward - g*steps*dt);
@@ -107,7 +107,7 @@ TEST(sleep, whatSlidesAtConstantSpeedStaysAwake)
     for (label k = 0; k < label(20*scene.tau()/dt); ++k)
     {
         scene.step(dt);
-        ASSERT_EQ(scene.asleep(), 0) << k*dt;
+        ASSERT_EQ(scene.calm(), 0) << k*dt;
     }
     EXPECT_NEAR(scene.momentum().x()/before.x(), 1, 0.03);
     EXPECT_EQ(scene.sleep().momentum(), vector(0, 0));
@@ -261,7 +261,7 @@ TEST(sleep, switchedOnAtARestartItWaits)
     for (label k = 0; k < label(5*scene.tau()/dt); ++k)
     {
         scene.step(dt);
-        ASSERT_EQ(scene.asleep(), 0) << k*dt;
+        ASSERT_EQ(scene.calm(), 0) << k*dt;
     }
 }
 
