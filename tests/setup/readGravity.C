@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 using namespace sph;
 namespace fs = std::filesystem;
@@ -15,7 +16,8 @@ class ReadGravity : public testing::Test
 {
 protected:
     const fs::path caseDir_ =
-        fs::path(testing::TempDir())/"readGravity_test";
+        fs::path(testing::TempDir())
+       /("readGravity" + std::to_string(getpid()));
 
     void SetUp() override { fs::create_directories(caseDir_/"constant"); }
     void TearDown() override { fs::remove_all(caseDir_); }
