@@ -56,7 +56,11 @@ void warning(const std::string& text)
 
 std::string buildVersion()
 {
+#ifdef SPH_SINGLE
+    return SPH_VERSION ", sums over pairs in single precision";
+#else
     return SPH_VERSION;
+#endif
 }
 
 void printBanner

@@ -18,11 +18,15 @@ void loadLibraries
         const std::string file = isPath ? (caseDir/name).string() : name;
         if (!dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL))
         {
-            const char* reason = dlerror();
+            const char* error = dlerror();
+            const std::string reason = error ? error : "";
+            const bool otherLanes =
+                reason.find("LanesOfLibsph") != std::string::npos;
             controlDict.fail
             (
-                "libs", "Cannot load library " + name + "\n"
-              + (reason ? reason : "")
+                "libs", "Cannot load library " + name + "\n" + reason
+              + (otherLanes ? "\nIt was compiled for other registers than"
+                    " libsph: compile both with the same -march" : "")
             );
         }
     }

@@ -22,7 +22,8 @@ static void compare
         largest = std::max(largest, std::abs(byLibrary[i]));
         difference = std::max(difference, std::abs(byLibrary[i] - byHand[i]));
     }
-    if (!(difference <= 1e-9*largest))
+    const scalar tolerance = sizeof(pairScalar) == sizeof(scalar) ? 1e-9 : 1e-4;
+    if (!(difference <= tolerance*largest))
     {
         std::ostringstream message;
         message << "The limits are not those of this scheme: " << name

@@ -14,7 +14,7 @@
 
 #include "benchmarks/history.H"
 #include "benchmarks/machine.H"
-#include "particles/lanes.H"
+#include "pairs/pairLanes.H"
 #include "primitives/error.H"
 
 #include <omp.h>
@@ -87,7 +87,7 @@ static bool print
     const scalar median = 1e9/samples.median("step");
     const scalar best = 1e9/samples.min("step");
     Figures figures{{"particleSteps/s", median}, {"best", best}};
-    os << processor() << ", " << width<lanes> << " lanes, " << compiler()
+    os << processor() << ", " << width<pairLanes> << " lanes, " << compiler()
         << ", commit " << version() << '\n';
     printWholeSteps(samples, os, figures);
     printParts(samples, os, figures);
