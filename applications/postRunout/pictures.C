@@ -1,6 +1,5 @@
 #include "pictures.H"
 
-#include "functionObjects/ParticlePicture.H"
 #include "functionObjects/gnuplot.H"
 #include "primitives/writeFile.H"
 
@@ -111,11 +110,10 @@ static void addLaw
 void drawCollapse
 (
     const std::vector<Snapshot>& snapshots, const DepositGauge& gauge,
-    const Report& report, const word& field, const fs::path& folder
+    const Report& report, const ParticlePicture::Options& options,
+    const fs::path& folder
 )
 {
-    ParticlePicture::Options options;
-    options.field = field;
     ParticlePicture picture(options);
     for (const Snapshot* snapshot : chosen(snapshots, report.stopTime()))
     {

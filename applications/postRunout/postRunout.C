@@ -7,6 +7,7 @@
 //             L0 0.0972; H0 0.0875; origin (0 0 0); side right;
 //             thresholdByDx 0.5;
 //             law Lube2005;  band { runout 0.10; height 0.05; }
+//             picture { vectors yes; }    // functionObjects/pictureOptions.H
 //
 // Writes  postProcessing/postRunout/<first time>/runout.dat, summary.dat,
 //         profile_<time>.dat; with -plot collapse.png, profile.png
@@ -14,6 +15,8 @@
 #include "Report.H"
 #include "pictures.H"
 #include "settings.H"
+
+#include "functionObjects/pictureOptions.H"
 
 #include <iostream>
 
@@ -29,7 +32,7 @@ static const std::vector<CommandLine::Option> options
     {"vtp", "files", "Read these .vtp files: 'a.vtp b.vtp'"},
     {"times", "list", "The times of the files, without TimeValue: '0,0.1'"},
     {"plot", "", "Make collapse.png and profile.png with gnuplot"},
-    {"field", "name", "Colour collapse.png by this field instead of U"},
+    {"field", "name", "Colour collapse.png by this field"},
     {"check", "", "Exit with 1 if a value lies outside of its band"}
 };
 
@@ -78,6 +81,14 @@ static int postRunout(int argc, char* argv[])
 
     OutputFolder folder(caseDir, "postRunout", selected.front().name);
     Report report(*dict, gauge, Energies(particles, g, rho0), folder);
+    ParticlePicture::Options picture = readPictureOptions
+    (
+        (*dict).subOrEmptyDict("picture"), particles
+    );
+    if (args.found("field"))
+    {
+        picture.field = args.valueOr("field", "");
+    }
     dict.refuseUnused();
 
     for (const Snapshot& snapshot : selected)
@@ -93,8 +104,7 @@ static int postRunout(int argc, char* argv[])
 
     if (args.found("plot"))
     {
-        const word field = args.valueOr("field", "U");
-        drawCollapse(selected, gauge, report, field, folder.path());
+        drawCollapse(selected, gauge, report, picture, folder.path());
         drawProfiles(selected, gauge, report, folder.path());
     }
     std::cout << "Columns: " << folder.path().string() << "\n\n";

@@ -1,6 +1,7 @@
 #include "functionObjects/ParticlePicture.H"
 
 #include "deposit/magnitude.H"
+#include "deposit/slidingInterface.H"
 #include "functionObjects/PictureLayout.H"
 #include "functionObjects/gnuplot.H"
 #include "primitives/writeFile.H"
@@ -36,8 +37,19 @@ void ParticlePicture::addPanel
           : "  " + gnuplotText(text.substr(bracket))
         );
 
-    Panel panel{title, {}, {}};
+    Panel panel;
+    panel.title = title;
+    if (options_.vectors)
+    {
+        panel.arrows =
+            velocityArrows(particles, arrowSpacing*particles.spacing());
+    }
+    if (options_.slidingSpeed)
+    {
+        panel.interface = slidingInterface(particles, *options_.slidingSpeed);
+    }
     const scalar dx = particles.spacing();
+    spacing_ = dx;
     const ParticleRange granular = particles.granular();
     for (label i = granular.begin; i < granular.end; ++i)
     {
@@ -54,6 +66,21 @@ void ParticlePicture::addPanel
         panel.walls.push_back({particles.r[i], 0.72*dx, 0});
     }
     panels_.push_back(std::move(panel));
+}
+
+
+// The fastest arrow of all panels is as long as a square
+scalar ParticlePicture::metresPerSpeed() const
+{
+    scalar fastest = 1e-12;
+    for (const Panel& panel : panels_)
+    {
+        for (const VelocityArrow& arrow : panel.arrows)
+        {
+            fastest = std::max(fastest, arrow.U.norm());
+        }
+    }
+    return arrowSpacing*spacing_/fastest;
 }
 
 
@@ -92,39 +119,6 @@ std::pair<scalar, scalar> ParticlePicture::colourRange() const
     const scalar high = values[values.size() - 1 - values.size()/200];
     const scalar from = low >= 0 && low < 0.5*high ? 0 : low;
     return {from, high > from ? high : from + 1};
-}
-
-
-void ParticlePicture::writeData
-(
-    const std::filesystem::path& folder, const word& name,
-    const PictureLayout& layout
-) const
-{
-    const scalar u = layout.unit;
-    for (std::size_t k = 0; k < panels_.size(); ++k)
-    {
-        const auto write = [&](std::ostream& os, const std::vector<Dot>& dots)
-        {
-            os << "# x y radius [" << layout.unitName << "] value\n";
-            for (const Dot& dot : dots)
-            {
-                os  << u*dot.r.x() << ' ' << u*dot.r.y() << ' '
-                    << u*dot.radius << ' ' << dot.value << '\n';
-            }
-        };
-        // Two blocks of data, for gnuplot's index: granular and walls
-        writeFile
-        (
-            folder/(name + "_" + std::to_string(k) + ".dat"),
-            [&](std::ostream& os)
-            {
-                write(os, panels_[k].granular);
-                os << "\n\n";
-                write(os, panels_[k].walls);
-            }
-        );
-    }
 }
 
 
@@ -192,6 +186,16 @@ void ParticlePicture::writePanel
         << "plot " << data << " index 1 using 1:2:3 with circles"
         << " lc rgb '#8c8c8c' notitle, \\\n    " << data
         << " index 0 using 1:2:3:4 with circles lc palette notitle";
+    if (!panels_[panel].arrows.empty())
+    {
+        os  << ", \\\n    " << data << " index 2 using 1:2:3:4 with vectors"
+            << " lc rgb 'black' lw 0.7 notitle";
+    }
+    if (!panels_[panel].interface.empty())
+    {
+        os  << ", \\\n    " << data << " index 3 using 1:2 with lines"
+            << " lc rgb '#d62728' lw 2 notitle";
+    }
     for (std::size_t k = 0; k < marks_.size(); ++k)
     {
         os  << ", \\\n    $mark" << k << " with lines lw 1.6 "

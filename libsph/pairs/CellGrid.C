@@ -62,11 +62,17 @@ void CellGrid::build
     label k = 0;
     for (const ParticleRange& range : ranges)
     {
-        for (label i = range.begin; i < range.end; ++i, ++k)
+        label* cell = cell_.data() + k - range.begin;
+        #pragma omp parallel for simd schedule(static)
+        for (label i = range.begin; i < range.end; ++i)
         {
-            cell_[k] = cellOf(r.x[i], r.y[i]);
-            ++start_[cell_[k] + 1];
+            cell[i] = cellOf(r.x[i], r.y[i]);
         }
+        k += range.size();
+    }
+    for (const label cell : cell_)
+    {
+        ++start_[cell + 1];
     }
     for (label c = 0; c < nx_*ny_; ++c)
     {

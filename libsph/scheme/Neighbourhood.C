@@ -247,41 +247,50 @@ void Neighbourhood::rebuild()
     ++rebuilds_;
 }
 
-void Neighbourhood::refreshImages(const std::vector<const FieldInfo*>& fields)
+// One field: images of images come after their sources
+void Neighbourhood::refreshImages(const FieldInfo& info)
 {
     const label begin = particles_.ghosts().begin;
-    for (const FieldInfo* info : fields)
+    const auto& c = info.components;
+    for (std::size_t k = 0; k < images_.size(); ++k)
     {
-        const auto& c = info->components;
-        for (std::size_t k = 0; k < images_.size(); ++k)
+        const label from = images_[k].source;
+        const label to = begin + label(k);
+        const tensor& R = reflections_[images_[k].patch];
+        if (info.kind == FieldKind::scalar)
         {
-            const label from = images_[k].source;
-            const label to = begin + label(k);
-            const tensor& R = reflections_[images_[k].patch];
-            if (info->kind == FieldKind::scalar)
-            {
-                (*c[0])[to] = (*c[0])[from];
-            }
-            else if (info->kind == FieldKind::vector)
-            {
-                const vector v = R*vector((*c[0])[from], (*c[1])[from]);
-                (*c[0])[to] = v.x();
-                (*c[1])[to] = v.y();
-            }
-            else
-            {
-                const bool symmetric = info->kind == FieldKind::symmTensor;
-                const label yx = symmetric ? 1 : 2, yy = symmetric ? 2 : 3;
-                tensor t;
-                t << (*c[0])[from], (*c[1])[from],
-                     (*c[yx])[from], (*c[yy])[from];
-                t = (R*t*R.transpose()).eval();
-                (*c[0])[to] = t(0, 0);
-                (*c[1])[to] = t(0, 1);
-                (*c[yx])[to] = t(1, 0);
-                (*c[yy])[to] = t(1, 1);
-            }
+            (*c[0])[to] = (*c[0])[from];
         }
+        else if (info.kind == FieldKind::vector)
+        {
+            const vector v = R*vector((*c[0])[from], (*c[1])[from]);
+            (*c[0])[to] = v.x();
+            (*c[1])[to] = v.y();
+        }
+        else
+        {
+            const bool symmetric = info.kind == FieldKind::symmTensor;
+            const label yx = symmetric ? 1 : 2, yy = symmetric ? 2 : 3;
+            tensor t;
+            t << (*c[0])[from], (*c[1])[from],
+                 (*c[yx])[from], (*c[yy])[from];
+            t = (R*t*R.transpose()).eval();
+            (*c[0])[to] = t(0, 0);
+            (*c[1])[to] = t(0, 1);
+            (*c[yx])[to] = t(1, 0);
+            (*c[yy])[to] = t(1, 1);
+        }
+    }
+}
+
+void Neighbourhood::refreshImages(const std::vector<const FieldInfo*>& fields)
+{
+    // Not worth a team of threads below
+    constexpr std::size_t few = 200;
+    #pragma omp parallel for schedule(dynamic) if(images_.size() > few)
+    for (std::size_t k = 0; k < fields.size(); ++k)
+    {
+        refreshImages(*fields[k]);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "artificialViscosity/ArtificialViscosity.H"
 #include "support/Gradients.H"
+#include "support/precision.H"
 
 #include <gtest/gtest.h>
 
@@ -105,7 +106,8 @@ TEST_F(artificialViscosity, gradientCorrectedDoesNotFeelALinearVelocity)
     label checked = 0;
     for (const label i : interior(P, 2.7*dx))
     {
-        EXPECT_LT(P.a[i].norm(), 1e-10*scale);
+        // U, of the size 5, cancels against its gradients
+        EXPECT_LT(P.a[i].norm(), rounding(1e-10, 3e-6)*scale);
         ++checked;
     }
     EXPECT_GT(checked, 25);
@@ -119,7 +121,7 @@ TEST_F(artificialViscosity, conservesMomentum)
         resetAcceleration();
         apply(text);
         EXPECT_GT(forceScale(), 1);
-        EXPECT_LT(force().norm(), 1e-12*forceScale()) << text;
+        EXPECT_LT(force().norm(), rounding(1e-12, 5e-8)*forceScale()) << text;
     }
 }
 
@@ -169,8 +171,10 @@ TEST_F(artificialViscosity, MonaghanActsBetweenApproachingParticlesOnly)
         const scalar mu = h*(sign*speed)*(-r)/(r*r + 0.01*h*h);
         const scalar Pi = mu < 0 ? -0.3*eos->c()*mu/rho0 : 0;
         const scalar expected = -P.m[1]*Pi*kernel->F(r)*(-r);
-        EXPECT_NEAR(P.a.x[0], expected, 1e-12*eos->c());
-        EXPECT_NEAR(P.a.x[1], -expected, 1e-12*eos->c());
+        // a is 0.2 c
+        const scalar little = rounding(1e-12, 5e-8)*eos->c();
+        EXPECT_NEAR(P.a.x[0], expected, little);
+        EXPECT_NEAR(P.a.x[1], -expected, little);
         EXPECT_EQ(P.a.x[0] < 0, sign > 0) << "slowed down";
     }
 }
@@ -185,7 +189,8 @@ TEST_F(artificialViscosity, MonaghanLeavesRigidRotationAlone)
     apply(Monaghan);
     for (label i = 0; i < P.granular().end; ++i)
     {
-        EXPECT_LT(P.a[i].norm(), 1e-10*eos->c());
+        // U_ij.r cancels
+        EXPECT_LT(P.a[i].norm(), rounding(1e-10, 1.5e-6)*eos->c());
     }
 }
 
@@ -204,8 +209,9 @@ TEST_F(artificialViscosity, gradientCorrectedHasTheViscosityItSays)
     walkOnce(walk, *model, *kernel);
     const scalar nu = 0.3*eos->c()*kernel->h()/8;
     const vector expected = P.m[1]*2*nu/rho0*kernel->F(r)*P.U[0];
-    EXPECT_LT((P.a[0] - expected).norm(), 1e-12*expected.norm());
-    EXPECT_LT((P.a[1] + expected).norm(), 1e-12*expected.norm());
+    const scalar little = rounding(1e-12, 2e-7)*expected.norm();
+    EXPECT_LT((P.a[0] - expected).norm(), little);
+    EXPECT_LT((P.a[1] + expected).norm(), little);
 }
 
 // q = -chi rho0 c h div within +-p/2, 0 without pressure

@@ -45,7 +45,8 @@ TEST_F(velocityPressureCoupling, isThatOfThePaper)
             );
         EXPECT_NEAR
         (
-            P.rhoDot[i], expected, 1e-10*sigma*deltaT*cSqr*rho0/(dx*dx)
+            P.rhoDot[i], expected,
+            rounding(1e-10, 5e-8)*sigma*deltaT*cSqr*rho0/(dx*dx)
         ) << i;
     }
 }

@@ -1,0 +1,38 @@
+#include "functionObjects/pictureOptions.H"
+
+#include "deposit/magnitude.H"
+
+namespace sph
+{
+
+ParticlePicture::Options readPictureOptions
+(
+    const dictionary& dict, const Particles& particles
+)
+{
+    ParticlePicture::Options options;
+    options.field = dict.getOrDefault<word>("field", "U");
+    findField(particles, options.field, dict, "field");
+    if (dict.found("range"))
+    {
+        const auto range = dict.get<std::vector<scalar>>("range");
+        if (range.size() != 2 || !(range[0] < range[1]))
+        {
+            dict.fail
+            (
+                "range", "The range of the colours is two numbers, the"
+                " lower one first: (0 0.5)"
+            );
+        }
+        options.range = std::make_pair(range[0], range[1]);
+    }
+    options.vectors = dict.getOrDefault("vectors", false);
+    if (dict.found("slidingInterface"))
+    {
+        options.slidingSpeed =
+            dict.get("slidingInterface", dimVelocity, Range::positive());
+    }
+    return options;
+}
+
+} // namespace sph
