@@ -25,10 +25,12 @@ namespace fs = std::filesystem;
 
 static void write
 (
-    const Particles& particles, const SoundSpeed& soundSpeed, Time& runTime
+    const Particles& particles, const SoundSpeed& soundSpeed,
+    const Sleep& sleep, Time& runTime
 )
 {
     soundSpeed.write(runTime.timePath());
+    sleep.write(runTime.timePath());
     writeState
     (
         particles, runTime.value(), runTime.timePath(),
@@ -88,14 +90,15 @@ int main(int argc, char* argv[])
         const TimeStep timeStep(solution, material, scheme.kernel().h());
         Sleep sleep
         (
-            solution, particles, scheme.neighbourhood(), material.eos(),
-            scheme.kernel().h(), g.norm(), restart
+            solution, {g, properties, boundary}, particles,
+            scheme.neighbourhood(), material.eos(), scheme.kernel().h()
         );
         Guard guard(solution, particles, material);
 
         boundaries.setDepths(particles);
         SoundSpeed soundSpeed(material.eos(), g, particles, runTime.value());
         soundSpeed.read(runTime.timePath());
+        sleep.start(runTime.timePath(), restart);
         const dictionary none;
         FunctionObjects functions
         (
@@ -139,7 +142,7 @@ int main(int argc, char* argv[])
 
             integrator->begin(particles, dt);       // (27)-(28)
             netHits += boundaries.net(particles);
-            sleep.update(dt);
+            sleep.update(dt, runTime.index());
             scheme.updatePairs();
             scheme.extrapolateVelocity();           // (21)-(23)
             scheme.gradients();                     // (11)-(13)
@@ -162,15 +165,15 @@ int main(int argc, char* argv[])
             functions.execute(runTime);
             if (runTime.writeTime())
             {
-                write(particles, soundSpeed, runTime);
+                write(particles, soundSpeed, sleep, runTime);
                 guard.keep(particles, runTime.value());
                 scheme.neighbourhood().reset();
-                sleep.reset();
             }
             runTime.printExecutionTime();
         }
 
         functions.end();
+        sleep.printSummary();
         std::cout << "End\n" << std::endl;
         return 0;
     });

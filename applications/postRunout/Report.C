@@ -223,10 +223,13 @@ std::pair<label, label> Report::summarise()
 
 void Report::printDetails() const
 {
-    std::cout << std::setprecision(4)
-        << "\nRun-out with three times the threshold: "
-        << gauge_.runout(*last_, 3*gauge_.threshold())
-        << "\nMobilised fraction of the mass: " << mobilised_
+    std::cout << std::setprecision(4);
+    const scalar thick = gauge_.runout(*last_, 3*gauge_.threshold());
+    if (std::isfinite(thick))
+    {
+        std::cout << "\nRun-out with three times the threshold: " << thick;
+    }
+    std::cout << "\nMobilised fraction of the mass: " << mobilised_
         << "\nDissipated over released potential energy: ";
     cell(lost_, 0, 3);
     if (times_.size() < 2)

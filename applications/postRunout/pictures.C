@@ -65,12 +65,11 @@ static ParticlePicture::Mark column(const DepositGauge& gauge)
 {
     const BedLine& bed = gauge.bed();
     const vector along = gauge.L0()*bed.direction;
-    const vector up =
-        gauge.H0()*vector(-bed.direction.y(), bed.direction.x());
-    const vector from =
-        bed.origin - (gauge.leftCounts() ? along : vector(0, 0));
-    const vector to =
-        bed.origin + (gauge.rightCounts() ? along : vector(0, 0));
+    const vector normal(-bed.direction.y(), bed.direction.x());
+    const vector up = gauge.H0()*normal;
+    const vector foot = bed.origin + gauge.foot()*normal;
+    const vector from = foot - (gauge.leftCounts() ? along : vector(0, 0));
+    const vector to = foot + (gauge.rightCounts() ? along : vector(0, 0));
     return
     {
         {from, from + up, to + up, to}, "column at the start",

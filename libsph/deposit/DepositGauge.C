@@ -73,6 +73,7 @@ DepositGauge::DepositGauge
     const Profile profile = slidingMean(start);
     const scalar H = profile.h(profile.thickest());
     H0_ = dict.getOrDefault("H0", H, dimLength, Range::positive());
+    foot_ = H - H0_ > dx ? H - H0_ : 0;
     L0_ = dict.getOrDefault
     (
         "L0", reach(fronts(profile, 0.5*H)), dimLength, Range::any()

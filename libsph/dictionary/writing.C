@@ -99,6 +99,22 @@ void dictionary::writeEffective(std::ostream& os) const
     contents_->write(os, 0, TokenStyle::asTyped, true);
 }
 
+std::string dictionary::text() const
+{
+    const TokenStyle style = TokenStyle::evaluated;
+    std::string text;
+    for (const auto& entry : contents_->entries)
+    {
+        if (entry->keyword != "FoamFile")
+        {
+            text += entry->keywordText() + ' '
+              + (entry->dict ? Contents::of(*entry->dict).inlineText(style)
+                             : tokenText(entry->tokens, style)) + '\n';
+        }
+    }
+    return text;
+}
+
 std::string dictionary::valueText(const word& scopedKey) const
 {
     contents_->asked.insert(scopedKey);

@@ -97,7 +97,7 @@ bool readFields
         {
             file.read(info.name, info.kind, info.components, begin);
         }
-        else if (info.state)
+        else if (info.state && info.used)
         {
             complete = false;
         }

@@ -157,7 +157,7 @@ void writeGranular
         const bool shown =
             info.name == "V" || info.name == "p" || info.name == "lambda"
          || info.name == "div" || info.name == "gammaDot" || info.name == "I";
-        if (info.state || shown)
+        if ((info.state && info.used) || shown)
         {
             addField(*data, info, range, digits);
         }

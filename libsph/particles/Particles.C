@@ -26,10 +26,10 @@ Particles::Particles(const scalar spacing)
         {"Us", K::vector, {&Us.x, &Us.y}, yes, no, "shifting velocity [m/s]"},
         {"rhoDot", K::scalar, {&rhoDot}, yes, no, "density diffusion"},
         {"eta", K::scalar, {&eta}, yes, no, "effective viscosity [Pa s]"},
-        {"asleep", K::scalar, {&asleep}, yes, no, "1: not advanced"},
+        {"asleep", K::scalar, {&asleep}, yes, no, "1: not advanced", no},
         {
             "Umean", K::vector, {&Umean.x, &Umean.y}, yes, no,
-            "mean velocity of late [m/s]"
+            "mean velocity of late [m/s]", no
         },
         {"V", K::scalar, {&V}, no, no, "volume per unit depth [m2]"},
         {"p", K::scalar, {&p}, no, no, "pressure [Pa]"},
@@ -95,6 +95,14 @@ const FieldInfo& Particles::field(const std::string& name) const
         );
     }
     return *iter;
+}
+
+void Particles::use(const std::string& name)
+{
+    for (FieldInfo& info : fields_)
+    {
+        info.used = info.used || info.name == name;
+    }
 }
 
 void Particles::resizeAll(const label size)

@@ -23,12 +23,6 @@ Neighbourhood::Neighbourhood
     boundaries.check(particles, cutOff + skin);
 }
 
-void Neighbourhood::reset()
-{
-    mustSort_ = true;
-    particles_.setAwake(particles_.awake().end, particles_.awake().end);
-}
-
 // Those that are awake first, then sleepers in cells beside theirs, then the
 // others; each in the order of the cells
 void Neighbourhood::setOrder(const label nMaterialImages)
@@ -83,8 +77,8 @@ void Neighbourhood::findNearAwake(const label nMaterialImages)
     grid_.dilate(nearAwake_);
 }
 
-// Wakes sleepers beside others that are awake, so that these fill whole slices;
-// returns whether there was anything to do
+// Makes sleepers beside others that are awake drowsy, so that these fill whole
+// slices; returns whether there was anything to do
 bool Neighbourhood::fillAwakeSlice()
 {
     scalarField& asleep = particles_.asleep;
@@ -110,7 +104,8 @@ bool Neighbourhood::fillAwakeSlice()
              && (!near || nearAwake_[grid_.cells()[i]])
             )
             {
-                asleep[i] = 0;
+                asleep[i] = 0.5;
+                particles_.Umean.set(i, vector::Zero());
                 --missing;
             }
         }
@@ -199,6 +194,14 @@ label Neighbourhood::makeImages()
     return nMaterial;
 }
 
+void Neighbourhood::prepare()
+{
+    if (mustSort_)
+    {
+        rebuild();
+    }
+}
+
 bool Neighbourhood::update()
 {
     if (!mustSort_)
@@ -223,6 +226,46 @@ void Neighbourhood::rebuild()
     {
         sortGranular();
     }
+    buildLists();
+    if (anyUnseen())
+    {
+        sortGranular();
+        buildLists();
+    }
+    ++rebuilds_;
+}
+
+// Whether somebody awake has come near sleepers that do not watch
+bool Neighbourhood::anyUnseen() const
+{
+    const ParticleRange sound
+        {particles_.active().end, particles_.granular().end};
+    const label ghosts = particles_.ghosts().begin;
+    const auto unseen = [&](label j)
+    {
+        if (j >= ghosts && j < particles_.null())
+        {
+            j = images_[j - ghosts].source;
+        }
+        return j >= sound.begin && j < sound.end;
+    };
+    const auto& slices = granularPairs_.slices();
+    return sound.size() > 0 && std::any_of
+    (
+        slices.begin(),
+        slices.begin() + particles_.awake().size()/laneCount,
+        [&](const PairList::Slice& slice)
+        {
+            return std::any_of
+            (
+                slice.rows, slice.rows + slice.n*laneCount, unseen
+            );
+        }
+    );
+}
+
+void Neighbourhood::buildLists()
+{
     const label nMaterial = makeImages();
 
     const ParticleRange granular = particles_.granular();
@@ -244,7 +287,6 @@ void Neighbourhood::rebuild()
         particles_.r, walls, grid_, material, reach, particles_.null()
     );
     gauge_.reset(particles_.r, {granular, walls, ghosts});
-    ++rebuilds_;
 }
 
 // One field: images of images come after their sources

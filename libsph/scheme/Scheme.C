@@ -119,7 +119,9 @@ bool Scheme::forcesUse(const std::string& field) const
 
 void Scheme::updatePairs()
 {
-    rebuilt_ = neighbourhood_.update();
+    neighbourhood_.update();
+    rebuilt_ = neighbourhood_.rebuilds() != rebuilds_;
+    rebuilds_ = neighbourhood_.rebuilds();
     if (rebuilt_ && particles_.sleepers().size() > 0)
     {
         setSleepers();

@@ -1,59 +1,108 @@
 #include "scheme/Sleep.H"
 
-#include <cmath>
+#include <algorithm>
 #include <iostream>
+#include <sstream>
 
 namespace sph
 {
 
 Sleep::Sleep
 (
-    const dictionary& solution, Particles& particles,
-    Neighbourhood& neighbourhood, const EquationOfState& eos,
-    const scalar h, const scalar magG, const bool restart
+    const dictionary& solution, const Ground& ground,
+    Particles& particles, Neighbourhood& neighbourhood,
+    const EquationOfState& eos, const scalar h
 )
 :
     particles_(particles),
     neighbourhood_(neighbourhood),
     eos_(eos),
     h_(h),
-    magG_(magG),
-    active_(solution.isDict("sleep"))
+    magG_(ground.g.norm())
 {
-    if (active_)
+    if (!solution.found("sleep"))
     {
-        const dictionary& dict = solution.subDict("sleep");
-        if (!(magG > 0))
-        {
-            solution.fail("sleep", "Without gravity nothing rests: no sleep");
-        }
-        const auto entry = [&](const char* name, const scalar value)
-        {
-            return dict.getOrDefault(name, value, dimless, Range::positive());
-        };
-        speed_ = entry("speed", 0.02);
-        mean_ = entry("mean", 0.01);
-        imbalance_ = entry("imbalance", 0.08);
-        period_ = entry("period", 0.1);
-        rest_ = entry("rest", 0.002);
-        damping_ = entry("damping", 0.05);
+        return;
     }
-    const label n = particles.granular().end;
-    if (!active_ || !restart)
+    if (!solution.isDict("sleep"))
     {
-        std::fill_n(particles.asleep.data(), n, awake);
-        // Switched off: as if moving, for a restart that switches it on
-        const scalar U = active_ ? 3*mean_*v() : v();
-        std::fill_n(particles.Umean.x.data(), n, U);
-        std::fill_n(particles.Umean.y.data(), n, 0);
+        solution.fail("sleep", "Entry 'sleep' must be a dictionary: sleep { }");
+    }
+    const dictionary& dict = solution.subDict("sleep");
+    if (!(magG_ > 0))
+    {
+        solution.fail("sleep", "Without gravity nothing rests: no sleep");
+    }
+    read(dict);
+    record_.emplace(ground, dict);
+    particles.use("asleep");
+    particles.use("Umean");
+}
+
+void Sleep::read(const dictionary& dict)
+{
+    const auto entry = [&](const char* name, scalar value, scalar most)
+    {
+        return dict.getOrDefault
+        (
+            name, value, dimless, Range{0, most, false, true}
+        );
+    };
+    speed_ = entry("speed", 0.02, 0.2);
+    mean_ = entry("mean", 0.01, 0.2);
+    imbalance_ = entry("imbalance", 0.08, 1);
+    period_ = entry("period", 0.1, 10);
+    rest_ = entry("rest", 0.002, 0.2);
+    damping_ = dict.getOrDefault("damping", 0.05, dimless, Range::positive());
+    if (rest_ > speed_)
+    {
+        std::ostringstream os;
+        os  << "Entry 'rest' is " << rest_ << " but must be at most speed, "
+            << speed_;
+        dict.fail(dict.found("rest") ? "rest" : "speed", os.str());
+    }
+}
+
+void Sleep::start
+(
+    const std::filesystem::path& timeFolder, const bool restart
+)
+{
+    if (record_)
+    {
+        std::cout << "Selecting sleep speed " << speed_*v() << " m/s mean "
+            << mean_*v() << " m/s rest " << rest_*v() << " m/s\n";
+    }
+    Particles& P = particles_;
+    const label n = P.granular().end;
+    const std::string change =
+        !record_ ? "no sleep in system/sphSolution"
+      : restart ? record_->change(timeFolder)
+      : "a new start";
+    if (!change.empty())
+    {
+        const scalar* flags = P.asleep.data();
+        const bool any = std::find(flags, flags + n, asleep) != flags + n;
+        if ((restart && record_) || any)
+        {
+            std::cout << "All particles are awake: " << change << '\n';
+        }
+        std::fill_n(P.asleep.data(), n, awake);
+        std::fill_n(P.Umean.x.data(), n, record_ ? 3*mean_*v() : 0);
+        std::fill_n(P.Umean.y.data(), n, 0);
+        P.setAwake(n, n);
+        return;
     }
     // A state is written in the order of memory: those that are awake first
     label nAwake = 0;
-    while (nAwake < n && particles.asleep[nAwake] < asleep)
+    while (nAwake < n && P.asleep[nAwake] < asleep)
     {
         ++nAwake;
     }
-    particles.setAwake(nAwake, nAwake);
+    P.setAwake
+    (
+        nAwake, std::max(nAwake, SleepRecord::readActive(timeFolder))
+    );
 }
 
 void Sleep::average(const scalar deltaT)
@@ -99,116 +148,9 @@ void Sleep::drag(const scalar deltaT)
     }
 }
 
-// Which particles move, and which move enough to wake others: flags of their
-// cells and those around. Images move as their sources do.
-void Sleep::findMotion()
+void Sleep::update(const scalar deltaT, const std::int64_t index)
 {
-    const Particles& P = particles_;
-    const scalar imbalance = imbalance_*tau()*v()*v()/h_;
-    const auto ratioSqr = [](const vectorField& U, label i, scalar limit)
-    {
-        return (U.x[i]*U.x[i] + U.y[i]*U.y[i])/(limit*limit);
-    };
-    motion_.assign(P.size(), 0);
-    for (label i = 0; i < P.awake().end; ++i)
-    {
-        const scalar ratio = std::max
-        (
-            ratioSqr(P.U, i, speed_*v()), ratioSqr(P.Umean, i, mean_*v())
-        );
-        const bool stirs =
-            P.asleep[i] != drowsy || ratioSqr(P.U, i, rest_*v()) > 1;
-        motion_[i] =
-            ratio > 4 ? stirring | moving | rousing
-          : ratio > 1 ? stirring | moving
-          : stirs ? stirring
-          : 0;
-    }
-    for (label i = P.awake().end; i < P.active().end; ++i)
-    {
-        const bool pushed = ratioSqr(P.Umean, i, imbalance) > 1;
-        motion_[i] = pushed ? stirring | moving | rousing : 0;
-    }
-    const auto& images = neighbourhood_.images();
-    for (std::size_t k = 0; k < images.size(); ++k)
-    {
-        motion_[P.ghosts().begin + label(k)] = motion_[images[k].source];
-    }
-
-    const CellGrid& grid = neighbourhood_.grid();
-    cellMotion_.assign(std::size_t(grid.nx())*grid.ny(), 0);
-    label k = 0;
-    for (const ParticleRange& range : {P.granular(), P.walls(), P.ghosts()})
-    {
-        for (label i = range.begin; i < range.end; ++i, ++k)
-        {
-            cellMotion_[grid.cells()[k]] |= motion_[i];
-        }
-    }
-    grid.dilate(cellMotion_);
-}
-
-label Sleep::countFallingAsleep() const
-{
-    const labelField& cells = neighbourhood_.grid().cells();
-    label count = 0;
-    for (label i = 0; i < particles_.awake().end; ++i)
-    {
-        count += !(cellMotion_[cells[i]] & stirring);
-    }
-    return count;
-}
-
-label Sleep::wakeUp()
-{
-    const labelField& cells = neighbourhood_.grid().cells();
-    label count = 0;
-    for (label i = particles_.awake().end; i < particles_.granular().end; ++i)
-    {
-        if (cellMotion_[cells[i]] & rousing)
-        {
-            particles_.asleep[i] = awake;
-            // Not to grow drowsy again at once, nor to wake others
-            particles_.Umean.set(i, {1.9*mean_*v(), 0});
-            ++count;
-        }
-    }
-    return count;
-}
-
-void Sleep::setDrowsy()
-{
-    const labelField& cells = neighbourhood_.grid().cells();
-    for (label i = 0; i < particles_.awake().end; ++i)
-    {
-        particles_.asleep[i] = cellMotion_[cells[i]] & moving ? awake : drowsy;
-    }
-}
-
-void Sleep::fallAsleep()
-{
-    const labelField& cells = neighbourhood_.grid().cells();
-    Particles& P = particles_;
-    const vector zero = vector::Zero();
-    for (label i = 0; i < P.awake().end; ++i)
-    {
-        if (!(cellMotion_[cells[i]] & stirring))
-        {
-            momentum_ += P.m[i]*P.U[i];
-            energy_ += 0.5*P.m[i]*P.U[i].squaredNorm();
-            P.asleep[i] = asleep;
-            P.U.set(i, zero);
-            P.Us.set(i, zero);
-            P.a.set(i, zero);
-            P.Umean.set(i, zero);
-            P.rhoDot[i] = 0;
-        }
-    }
-}
-
-void Sleep::update(const scalar deltaT)
-{
-    if (!active_)
+    if (!record_)
     {
         return;
     }
@@ -216,24 +158,42 @@ void Sleep::update(const scalar deltaT)
     total_ += particles_.granular().size();
     average(deltaT);
     drag(deltaT);
-    if (++steps_ % interval != 0)
+    if (index % interval != 0)
     {
         return;
     }
+    neighbourhood_.prepare();
     findMotion();
     const label falling = countFallingAsleep();
     setDrowsy();
     const label woken = wakeUp();
-    if (woken > 0 || falling > worthwhile*particles_.awake().size())
+    if (woken > 0 || gains(falling))
     {
         fallAsleep();
         neighbourhood_.reset();
-        std::cout << "Sleep: " << falling << " fall asleep, " << woken
-            << " wake; asleep before: " << particles_.sleepers().size()
-            << " of " << particles_.granular().size()
-            << "; particle-steps made: " << 100*advanced_/total_
-            << " %; taken: momentum (" << momentum_.x() << ' '
-            << momentum_.y() << ") energy " << energy_ << '\n';
+    }
+}
+
+void Sleep::write(const std::filesystem::path& timeFolder) const
+{
+    if (!record_)
+    {
+        SleepRecord::remove(timeFolder);
+        return;
+    }
+    record_->write(timeFolder, particles_.active().end);
+    std::cout << "Asleep: " << particles_.sleepers().size() << " of "
+        << particles_.granular().size() << " particles\n";
+}
+
+void Sleep::printSummary() const
+{
+    if (record_ && total_ > 0)
+    {
+        std::cout << "Particle-steps made: "
+            << 100*scalar(advanced_)/scalar(total_) << " %\n"
+            << "Taken by sleep: momentum (" << momentum_.x() << ' '
+            << momentum_.y() << ") kg/s, energy " << energy_ << " J/m\n\n";
     }
 }
 

@@ -114,6 +114,11 @@ TEST(commands, postRunoutChecksTheBands)
     EXPECT_EQ(failed.code, 1);
     EXPECT_TRUE(says(failed, "\n1 passed, 1 failed\n"));
 
+    // Three times this threshold is more than the height
+    EXPECT_TRUE(says(failed, "Run-out with three times the threshold: "));
+    where.set(dict, "threshold", "0.04");
+    EXPECT_FALSE(contains(where.run("postRunout").text, "nan"));
+
     where.set(dict, "law", "Lube205");
     const Outcome unknown = where.run("postRunout -check");
     EXPECT_EQ(unknown.code, 1);

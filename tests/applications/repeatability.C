@@ -22,6 +22,10 @@ std::map<word, std::string> stateOf(const AppCase& where, const word& time)
         EXPECT_TRUE(where.has(time + '/' + file)) << time << '/' << file;
         state[file] = where.text(time + '/' + file);
     }
+    if (where.has(time + "/uniform/sleep"))
+    {
+        state["uniform/sleep"] = where.text(time + "/uniform/sleep");
+    }
     return state;
 }
 
@@ -30,9 +34,10 @@ void expectSame
     const std::map<word, std::string>& a, const std::map<word, std::string>& b
 )
 {
-    for (const word& file : stateFiles)
+    ASSERT_EQ(a.size(), b.size());
+    for (const auto& [file, text] : a)
     {
-        EXPECT_TRUE(a.at(file) == b.at(file)) << file;
+        EXPECT_TRUE(text == b.at(file)) << file;
     }
 }
 
@@ -128,6 +133,7 @@ TEST(repeatability, restartBitForBitWithSleepers)
     EXPECT_GT(half, 20);
     EXPECT_LT(half, 320);
     EXPECT_GT(end, half);
+    EXPECT_TRUE(where.has("0.36/uniform/sleep"));
 
     // Without the dictionary all wake
     where.replace("system/sphSolution", "sleep \\{\\}", "");

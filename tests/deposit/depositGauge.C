@@ -52,6 +52,18 @@ TEST(DepositGauge, takesLengthAndHeightOfTheColumnFromTheStart)
 }
 
 
+TEST(DepositGauge, knowsWhereAColumnOnABedStands)
+{
+    const auto start = heaps::below
+    (
+        [](const scalar x) { return x < 0.1 ? 0.25 : 0.1; }, 0, 0.5, dx
+    );
+    EXPECT_NEAR(gaugeOf("L0 0.1; H0 0.15;", start).foot(), 0.1, 1e-10);
+    EXPECT_EQ(gaugeOf("H0 0.248;", start).foot(), 0);
+    EXPECT_EQ(gaugeOf("", start).foot(), 0);
+}
+
+
 TEST(DepositGauge, measuresRunoutAndHeightOfATriangle)
 {
     const DepositGauge gauge = gaugeOf

@@ -71,6 +71,22 @@ TEST(DictionaryEffective, readsBackToTheSameValues)
     EXPECT_THROW(again.get<label>("v"), IOError);
 }
 
+// Neither comments nor the header count, nor how a number is written
+TEST(DictionaryText, isThatOfTheMeaning)
+{
+    const auto dict = parse
+    (
+        "FoamFile { version 2.0; } // header\n"
+        "h 0.1; s\n{\n    v (0 1e-3); /* 7 */ t { flag; }\n}\n"
+    );
+    const auto same = parse("h   #eval{ 1/10 }; s { v (0 0.001); t {flag;} }");
+    EXPECT_EQ(dict.text(), same.text());
+    EXPECT_NE(dict.text(), parse("h 0.1; s { v (0 0.001); }").text());
+    EXPECT_NE(dict.text(), parse("").text());
+    // Nothing has been read
+    EXPECT_THROW(dict.refuseUnused(), IOError);
+}
+
 TEST(DictionaryEffective, holdsTheDefaultsThatWereAskedFor)
 {
     const auto dict = parse("a 1; s { b 2; }");

@@ -37,7 +37,7 @@ bool isWritten(const FieldInfo& info, const bool wall)
         return n == "U" || n == "p" || n == "rho" || n == "m" || n == "s";
     }
     return
-        info.state || n == "p" || n == "gammaDot" || n == "I"
+        (info.state && info.used) || n == "p" || n == "gammaDot" || n == "I"
      || n == "lambda" || n == "div" || n == "V";
 }
 
@@ -115,6 +115,27 @@ vtkSmartPointer<vtkPolyData> load(const std::filesystem::path& file)
 }
 
 } // namespace
+
+// Fields of sleep are there where they are used, and missed only there
+TEST(roundTrip, fieldsThatAreNotUsedAreNotWritten)
+{
+    const TestCase testCase;
+    Particles plain, sleeping;
+    fillRandomly(plain, 10, 0);
+    fillRandomly(sleeping, 10, 0);
+    sleeping.use("Umean");
+    writeState(plain, 0, testCase.dir()/"0", {});
+    writeState(sleeping, 1, testCase.dir()/"1", {});
+    EXPECT_FALSE(contains(testCase.text("0/granular.vtp"), "Umean"));
+
+    Particles read;
+    EXPECT_TRUE(readState(testCase.dir()/"0", read));
+    EXPECT_EQ(read.Umean[3], vector(0, 0));
+    EXPECT_TRUE(readState(testCase.dir()/"1", read));
+    EXPECT_EQ(read.Umean[3], sleeping.Umean[3]);
+    EXPECT_TRUE(readState(testCase.dir()/"1", sleeping));
+    EXPECT_FALSE(readState(testCase.dir()/"0", sleeping));
+}
 
 TEST(roundTrip, binary)
 {

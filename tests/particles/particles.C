@@ -224,6 +224,17 @@ TEST(particles, everythingThatARestartNeedsIsState)
     }
 }
 
+TEST(particles, fieldsOfSleepAreUsedOnRequest)
+{
+    Particles P;
+    EXPECT_FALSE(P.field("asleep").used);
+    EXPECT_FALSE(P.field("Umean").used);
+    EXPECT_TRUE(P.field("U").used);
+    P.use("asleep");
+    EXPECT_TRUE(P.field("asleep").used);
+    EXPECT_FALSE(P.field("Umean").used);
+}
+
 TEST(particles, fieldsAreFoundByName)
 {
     Particles P;

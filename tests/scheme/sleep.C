@@ -44,9 +44,13 @@ struct Sliding : SleepScene
         return text;
     }
 
-    explicit Sliding(const scalar share, const std::string& entries = "")
+    explicit Sliding
+    (
+        const scalar share, const std::string& entries = "",
+        const CaseText& text = Sliding::text()
+    )
     :
-        SleepScene(text(), dx, squareLattice({0, 0}, 12, 8, dx), entries)
+        SleepScene(text, dx, squareLattice({0, 0}, 12, 8, dx), entries)
     {
         hydrostatic(g, 8*dx);
         setVelocity(*this, {share*v(), 0});
@@ -141,9 +145,9 @@ TEST(sleep, whatIsDrowsyIsDragged)
     {
         Sliding scene
         (
-            0.4,
-            "speed 1; mean 1; rest 1e-9; damping " + std::to_string(damping)
-          + ';'
+            0.1,
+            "speed 0.2; mean 0.2; rest 1e-9; damping "
+          + std::to_string(damping) + ';'
         );
         const scalar dt = scene.acousticStep();
         const label steps = label(2*scene.tau()/dt);
@@ -170,9 +174,36 @@ TEST(sleep, entriesAreTheThresholds)
     EXPECT_TRUE(asleepAfter("speed 0.1; mean 0.1;", 0.09));
     EXPECT_FALSE(asleepAfter("speed 0.1; mean 0.08;", 0.09));
     EXPECT_FALSE(asleepAfter("speed 0.08; mean 0.1;", 0.09));
-    EXPECT_FALSE(asleepAfter("speed 0.001; mean 0.1;", 0.005));
+    EXPECT_FALSE(asleepAfter("speed 0.002; mean 0.1;", 0.005));
     // The mean has not forgotten the start
-    EXPECT_FALSE(asleepAfter("speed 1; mean 0.1; period 1.5;", 0.005));
+    EXPECT_FALSE(asleepAfter("speed 0.2; mean 0.1; period 1.5;", 0.005));
+}
+
+// v = c/sqrt(KFactor) = sqrt(g H), however stiff the material is, and c/10
+// where K is given
+TEST(sleep, speedsAreSharesOfThoseOfTheFlow)
+{
+    const std::string K = std::to_string(100*CaseText::rho0*g*0.1);
+    const scalar v = std::sqrt(g*0.1);
+    for
+    (
+        const std::string& stiffness :
+        {std::string("KFactor 1600; H 0.1;"), "K " + K + ';'}
+    )
+    {
+        for (const scalar share : {0.007, 0.03})
+        {
+            CaseText text = Sliding::text();
+            text.equationOfState =
+                "equationOfState linear; linearCoeffs {" + stiffness + '}';
+            Sliding scene(0, "", text);
+            setVelocity(scene, {share*v, 0});
+            const scalar dt = scene.acousticStep();
+            scene.run(dt, label(1.5*v/g/dt));
+            EXPECT_EQ(scene.asleep() > 0, share < 0.01)
+                << stiffness << ' ' << share;
+        }
+    }
 }
 
 // What those that are awake lose to sleep and drag, and the impulse
@@ -193,7 +224,7 @@ TEST(sleep, addsUpWhatItTakes)
         }
         taken += scene.momentum();
         energy += scene.kineticEnergy();
-        scene.sleep().update(dt);
+        scene.updateSleep(dt);
         taken -= scene.momentum();
         energy -= scene.kineticEnergy();
         scene.evaluate(dt);
@@ -218,25 +249,119 @@ TEST(sleep, addsUpWhatItTakes)
 
 TEST(sleep, atARestartThoseThatSleptSleepOn)
 {
+    const TestCase dir;
     Bouncing scene;
     const label n = scene.particles.granular().size();
     scene.runUntilAsleep(scene.acousticStep(), 8, n - 8, 1);
     const label some = scene.asleep();
-    scene.startSleep("sleep {}", true);
+    const label watching = scene.particles.watching().size();
+    scene.writeSleep(dir.dir()/"1");
+    scene.particles.setAwake(n, n);
+    scene.startSleep("sleep {}", Bouncing::text(), dir.dir()/"1");
     EXPECT_EQ(scene.asleep(), some);
     EXPECT_EQ(scene.particles.awake().end, n - some);
-    EXPECT_EQ(scene.particles.watching().size(), 0);
+    EXPECT_EQ(scene.particles.watching().size(), watching);
+    EXPECT_GT(watching, 0);
+}
+
+// What they rest on must be the same; comments, the order of white space and
+// how a number is written are no matter
+TEST(sleep, onOtherGroundAllAreAwake)
+{
+    const TestCase dir;
+    Bouncing scene;
+    const label n = scene.particles.granular().size();
+    scene.runUntilAsleep(scene.acousticStep(), 8, n - 8, 1);
+    const label some = scene.asleep();
+    scene.writeSleep(dir.dir()/"1");
+    const scalarField asleep = scene.particles.asleep;
+    const vectorField Umean = scene.particles.Umean;
+
+    const auto wokenBy = [&](const CaseText& text, const std::string& solution)
+    {
+        scene.particles.asleep = asleep;
+        scene.particles.Umean = Umean;
+        std::ostringstream log;
+        std::streambuf* before = std::cout.rdbuf(log.rdbuf());
+        scene.startSleep(solution, text, dir.dir()/"1");
+        std::cout.rdbuf(before);
+        if (scene.asleep() == 0)
+        {
+            EXPECT_EQ(scene.particles.awake().end, n);
+            EXPECT_EQ(scene.particles.Umean[n/2], vector(0.03*scene.v(), 0));
+        }
+        else
+        {
+            EXPECT_EQ(scene.asleep(), some);
+        }
+        return log.str();
+    };
+    const std::string start = "All particles are awake: ";
+
+    CaseText same = Bouncing::text();
+    same.rheology = "/* sand */ FoamFile { object x; }" + same.rheology;
+    same.boundary += "  // a tank\n";
+    same.rheology.replace(same.rheology.find("0.589"), 5, "5.89e-1");
+    EXPECT_FALSE(contains(wokenBy(same, "sleep  { }"), start));
+
+    CaseText turned = Bouncing::text();
+    turned.g = {9.81, 0};
+    EXPECT_CONTAINS
+    (
+        wokenBy(turned, "sleep {}"),
+        start + "constant/g has changed since time 1\n"
+    );
+    CaseText smooth = Bouncing::text();
+    smooth.rheology.replace(smooth.rheology.find("0.589"), 5, "0.3  ");
+    EXPECT_CONTAINS
+    (
+        wokenBy(smooth, "sleep {}"), start + "constant/granularProperties"
+    );
+    CaseText rough = Bouncing::text();
+    rough.boundary.replace(rough.boundary.find("freeSlip"), 8, "noSlip");
+    EXPECT_CONTAINS(wokenBy(rough, "sleep {}"), start + "constant/boundary");
+    EXPECT_CONTAINS
+    (
+        wokenBy(Bouncing::text(), "sleep { imbalance 0.04; }"),
+        start + "sleep in system/sphSolution"
+    );
+
+    // Written without it, by the guard or by an earlier version
+    std::filesystem::remove(dir.dir()/"1"/"uniform"/"sleep");
+    EXPECT_CONTAINS
+    (
+        wokenBy(Bouncing::text(), "sleep {}"),
+        start + "there is no 1/uniform/sleep"
+    );
+}
+
+// Nor is a record of another run left there
+TEST(sleep, withoutItNoRecordIsWritten)
+{
+    const TestCase dir;
+    Bouncing scene;
+    scene.writeSleep(dir.dir()/"1");
+    EXPECT_TRUE(dir.has("1/uniform/sleep"));
+    scene.startSleep("", Bouncing::text());
+    scene.writeSleep(dir.dir()/"1");
+    EXPECT_FALSE(dir.has("1/uniform/sleep"));
 }
 
 TEST(sleep, withoutTheDictionaryAndAtAStartAllAreAwake)
 {
     for (const bool restart : {true, false})
     {
+        const TestCase dir;
         Bouncing scene;
         const scalar dt = scene.acousticStep();
         const label n = scene.particles.granular().size();
         scene.runUntilAsleep(dt, 8, n, 1);
-        scene.startSleep(restart ? "skin 0.2;" : "sleep {}", restart);
+        scene.writeSleep(dir.dir()/"1");
+        scene.startSleep
+        (
+            restart ? "skin 0.2;" : "sleep {}", Bouncing::text(),
+            restart ? dir.dir()/"1" : ""
+        );
         EXPECT_EQ(scene.asleep(), 0);
         EXPECT_EQ
         (
@@ -253,11 +378,13 @@ TEST(sleep, withoutTheDictionaryAndAtAStartAllAreAwake)
 // Nobody knows yet who has been at rest: a column that is let go falls
 TEST(sleep, switchedOnAtARestartItWaits)
 {
+    const TestCase dir;
     Thrown scene({0, 0});
-    scene.startSleep("skin 0.2;", false);
+    scene.startSleep("skin 0.2;", CaseText());
     const scalar dt = scene.acousticStep(0.1);
     scene.step(dt);
-    scene.startSleep("sleep {}", true);
+    scene.writeSleep(dir.dir()/"1");
+    scene.startSleep("sleep {}", CaseText(), dir.dir()/"1");
     for (label k = 0; k < label(5*scene.tau()/dt); ++k)
     {
         scene.step(dt);
@@ -277,10 +404,11 @@ TEST(sleep, errorsNameFileAndEntry)
             {
                 const dictionary dict =
                     dictionary::fromString(solution, "system/sphSolution");
+                const dictionary none;
                 const Sleep sleep
                 (
-                    dict, scene.particles, scene.scheme.neighbourhood(),
-                    scene.material.eos(), 0.01, text.g.norm(), false
+                    dict, {text.g, none, none}, scene.particles,
+                    scene.scheme.neighbourhood(), scene.material.eos(), 0.01
                 );
                 dict.refuseUnused();
             }
@@ -329,9 +457,60 @@ TEST(sleep, errorsNameFileAndEntry)
     EXPECT_CONTAINS(unknown, "periods");
     EXPECT_CONTAINS(unknown, "did you mean 'period'");
 
-    const std::string noDictionary = refused("sleep yes;", CaseText());
-    EXPECT_CONTAINS(noDictionary, "system/sphSolution");
-    EXPECT_CONTAINS(noDictionary, "sleep");
+    for (const char* value : {"yes", "no", "", "(a b)", "0.02"})
+    {
+        const std::string text = refused
+        (
+            "skin 0.2;\nsleep " + std::string(value) + ";\n", CaseText()
+        );
+        EXPECT_CONTAINS
+        (
+            text, "Entry 'sleep' must be a dictionary: sleep { }"
+        );
+        EXPECT_CONTAINS(text, "system/sphSolution");
+        EXPECT_CONTAINS(text, "line 2");
+    }
+}
+
+// What is faster than a fifth of v flows
+TEST(sleep, thresholdsHaveLimits)
+{
+    const auto refused = [](const std::string& entries)
+    {
+        return errorOf
+        (
+            [&]
+            {
+                SleepScene
+                (
+                    CaseText(), dx, squareLattice({0, 0}, 2, 2, dx), entries
+                );
+            }
+        );
+    };
+    const std::pair<const char*, const char*> limits[]
+    {
+        {"speed", "0.2"}, {"mean", "0.2"}, {"imbalance", "1"}, {"period", "10"}
+    };
+    for (const auto& [entry, limit] : limits)
+    {
+        const std::string start = '\n' + std::string(entry) + ' ';
+        EXPECT_EQ(refused(start + limit + ';'), "");
+        const std::string error = refused(start + limit + "1;");
+        EXPECT_CONTAINS(error, "greater than 0 and at most " + word(limit));
+        EXPECT_CONTAINS(error, entry);
+        EXPECT_CONTAINS(error, "line 2");
+    }
+    EXPECT_EQ(refused("damping 1000;"), "");
+    EXPECT_EQ(refused("rest 0.02;"), "");
+    EXPECT_EQ(refused("speed 0.2; rest 0.2;"), "");
+    for (const char* entries : {"\nrest 0.03;", "\nspeed 0.001;"})
+    {
+        const std::string error = refused(entries);
+        EXPECT_CONTAINS(error, "Entry 'rest' is ");
+        EXPECT_CONTAINS(error, " but must be at most speed, ");
+        EXPECT_CONTAINS(error, "line 2");
+    }
 }
 
 } // namespace sph

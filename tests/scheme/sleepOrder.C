@@ -52,6 +52,7 @@ struct orderOfSleepers : testing::TestWithParam<const char*>
         for (label i = 0; i < n; ++i)
         {
             P.asleep[i] = slept[P.id[i]];
+            P.Umean.set(i, P.r[i]);
             P.U.set(i, P.r[i]);
             P.rho[i] = 1000 + P.id[i];
         }
@@ -72,9 +73,14 @@ struct orderOfSleepers : testing::TestWithParam<const char*>
         EXPECT_LT(P.awake().end, nAwake + laneCount);
         for (label i = 0; i < n; ++i)
         {
-            EXPECT_EQ(P.asleep[i], i < P.awake().end ? 0 : 1);
-            // Sleepers wake where a slice is filled up; nobody falls asleep
+            EXPECT_EQ(P.asleep[i] == 1, i >= P.awake().end);
+            // Nobody falls asleep; those that fill up a slice are at rest
             EXPECT_TRUE(i < P.awake().end || slept[P.id[i]]);
+            if (i < P.awake().end && slept[P.id[i]])
+            {
+                EXPECT_EQ(P.asleep[i], 0.5);
+                EXPECT_EQ(P.Umean[i], vector(0, 0));
+            }
         }
     }
 
@@ -150,6 +156,18 @@ TEST_P(orderOfSleepers, isThatOfTheRanges)
         }
     }
     EXPECT_GT(images, 100);
+}
+
+// One that comes near sleepers is seen at the next rebuild
+TEST_P(orderOfSleepers, followsThoseThatMove)
+{
+    update(1, 2*dx, 1);
+    Particles& P = scene->particles;
+    const label far = P.granular().end - 1;
+    ASSERT_GE(far, P.active().end);
+    P.r.set(0, P.r[far] + vector(0.3*dx, 0));
+    scene->scheme.updatePairs();
+    EXPECT_EQ(neighbours().unwatched, 0);
 }
 
 TEST_P(orderOfSleepers, leavesThoseThatNobodySees)

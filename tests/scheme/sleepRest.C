@@ -202,7 +202,7 @@ TEST(tank, thatHasToSettleKeepsTheStressThatRestAllows)
 static scalar displacementWithoutSleep()
 {
     Impact scene;
-    scene.startSleep("", false);
+    scene.startSleep("", Impact::text());
     const scalar dt = scene.acousticStep();
     scene.run(dt, label(0.08/dt));
     const auto before = scene.positions();
@@ -281,16 +281,19 @@ TEST(impact, bitsDoNotDependOnTheNumberOfThreads)
 }
 
 // A restart in the midst of it goes on as if there had been none
-TEST(impact, goesOnAfterARestart)
+struct restartAfter : testing::TestWithParam<label>
+{};
+
+TEST_P(restartAfter, goesOnAsIfThereHadBeenNone)
 {
+    const label steps = GetParam();
     const TestCase dir;
     Impact whole;
     whole.boundaries.setDepths(whole.particles);
     const scalar dt = whole.acousticStep();
-    whole.run(dt, 450);
+    whole.run(dt, steps);
     writeState(whole.particles, 1, dir.dir()/"1", {});
-    whole.scheme.neighbourhood().reset();
-    whole.sleep().reset();
+    whole.writeSleep(dir.dir()/"1");
     const label then = whole.asleep();
     EXPECT_GT(then, 100);
     EXPECT_LT(then, whole.particles.granular().size() - 100);
@@ -299,11 +302,63 @@ TEST(impact, goesOnAfterARestart)
     SleepScene again(Impact::text(), Impact::dx);
     ASSERT_TRUE(readState(dir.dir()/"1", again.particles));
     again.boundaries.setDepths(again.particles);
-    again.startSleep("sleep {}", true);
+    again.startSleep("sleep {}", Impact::text(), dir.dir()/"1");
+    again.index = whole.index - 200;
     EXPECT_EQ(again.asleep(), then);
     again.run(dt, 200);
     EXPECT_NE(again.asleep(), then);
     EXPECT_TRUE(again.state() == whole.state());
+}
+
+// 449: the first step decides
+INSTANTIATE_TEST_SUITE_P
+(
+    impact, restartAfter, testing::Values(449, 450, 456),
+    testing::PrintToStringParamName()
+);
+
+// A state that is written at every step
+TEST(impact, isSeenHoweverOftenTheStateIsWritten)
+{
+    Impact scene;
+    const scalar dt = scene.acousticStep();
+    label most = 0;
+    for (label k = 0; k < label(0.18/dt); ++k)
+    {
+        scene.step(dt);
+        scene.scheme.neighbourhood().reset();
+        most = std::max(most, scene.asleep());
+    }
+    EXPECT_GT(most, 0.9*Impact::bedSize);
+    EXPECT_LT(scene.asleep(), most - 100);
+}
+
+// One particle that moves keeps some awake, not always a number of whole slices
+TEST(tank, withOneThatMovesNobodyWakesAndSleepsInTurn)
+{
+    scalar most = 0;
+    for (const std::int64_t moving : {100, 244, 300})
+    {
+        Tank scene(1);
+        const scalar dt = scene.acousticStep();
+        const auto run = [&](const label steps)
+        {
+            for (label k = 0; k < steps; ++k)
+            {
+                const label i = scene.places().at(moving);
+                scene.particles.Umean.set(i, {1.5*0.01*scene.v(), 0});
+                scene.step(dt);
+            }
+        };
+        run(label(6*scene.tau()/dt));
+        EXPECT_GT(scene.asleep(), 300);
+        const auto rebuilds = scene.scheme.neighbourhood().rebuilds();
+        run(200);
+        EXPECT_EQ(scene.scheme.neighbourhood().rebuilds(), rebuilds);
+        const scalar fillers = scene.calm() - scene.asleep();
+        most = std::max(most, fillers/scene.particles.awake().size());
+    }
+    EXPECT_GT(most, 0.02);      // worth new lists, but for the slices
 }
 
 } // namespace sph

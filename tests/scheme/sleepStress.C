@@ -98,13 +98,18 @@ struct Pressed : SleepScene
         EXPECT_GE(load(), aim);
     }
 
-    // Sleepers that wake within some times tau
-    label wokenWithin(const scalar times)
+    // Sleepers that wake within some times tau. Every so many steps it is as
+    // if the state had been written.
+    label wokenWithin(const scalar times, const label writeInterval = 100000)
     {
         const label before = asleep();
         for (label k = 0; k < label(times*tau()/dt); ++k)
         {
-            sleep().update(dt);
+            if (k % writeInterval == 0)
+            {
+                scheme.neighbourhood().reset();
+            }
+            updateSleep(dt);
             if (asleep() < before)
             {
                 break;
@@ -145,6 +150,16 @@ TEST(sleepersUnderStress, wakeAboveTheLimit)
     }
 }
 
+TEST(sleepersUnderStress, wakeHoweverOftenTheStateIsWritten)
+{
+    for (const label writeInterval : {1, 3, 10})
+    {
+        Pressed scene;
+        scene.pressTo(1.2);
+        EXPECT_GT(scene.wokenWithin(4, writeInterval), 0) << writeInterval;
+    }
+}
+
 TEST(sleepersUnderStress, sleepOnBelowTheLimit)
 {
     Pressed scene;
@@ -175,7 +190,7 @@ TEST(sleepersUnderStress, wakeUnderASlowlyGrowingLoad)
     const scalar rate = (limit - 1)/(30*scene.tau());
     while (scene.asleep() == before && scene.factor < 1 + 2*(limit - 1))
     {
-        scene.sleep().update(scene.dt);
+        scene.updateSleep(scene.dt);
         scene.factor += rate*scene.dt;
         scene.hold();
     }
