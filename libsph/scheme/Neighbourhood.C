@@ -14,12 +14,9 @@ Neighbourhood::Neighbourhood
     particles_(particles),
     boundaries_(boundaries),
     cutOff_(cutOff),
-    skin_(skin)
+    skin_(skin),
+    images_(particles, boundaries, cutOff + skin)
 {
-    for (const auto& patch : boundaries.patches())
-    {
-        reflections_.push_back(patch->reflection());
-    }
     boundaries.check(particles, cutOff + skin);
 }
 
@@ -71,7 +68,7 @@ void Neighbourhood::findNearAwake(const label nMaterialImages)
     {
         const label i = particles_.ghosts().begin + k;
         const vector r = particles_.r[i];
-        asleep[i] = asleep[images_[k].source];
+        asleep[i] = asleep[images_.all()[k].source];
         nearAwake_[grid_.cellOf(r.x(), r.y())] |= asleep[i] < 1;
     }
     grid_.dilate(nearAwake_);
@@ -117,81 +114,12 @@ bool Neighbourhood::fillAwakeSlice()
 void Neighbourhood::sortGranular()
 {
     // Sleepers watch images, too
-    const label nMaterialImages = makeImages();
+    const label nMaterialImages = images_.make();
     grid_.build(particles_.r, {particles_.granular()}, cutOff_ + skin_);
     setOrder(nMaterialImages);
     particles_.reorderGranular(order_);
     rebuildsSinceSort_ = 0;
     mustSort_ = false;
-}
-
-// Positions of images from the given one on
-void Neighbourhood::placeImages(const std::size_t first)
-{
-    vectorField& r = particles_.r;
-    const label begin = particles_.ghosts().begin;
-    for (std::size_t k = first; k < images_.size(); ++k)
-    {
-        const Image& image = images_[k];
-        r.set
-        (
-            begin + label(k),
-            reflections_[image.patch]*r[image.source] + image.shift
-        );
-    }
-}
-
-// Images by one patch of a range, and of its images that are there already,
-// the first of which is given
-void Neighbourhood::appendImages
-(
-    const ParticleRange& range, const std::size_t firstImage,
-    const label patchI
-)
-{
-    const Boundary& patch = *boundaries_.patches()[patchI];
-    const scalar reach = cutOff_ + skin_;
-    const label ghostBegin = particles_.ghosts().begin;
-    const std::size_t before = images_.size();
-
-    patch.makeImages(particles_.r, range.begin, range.end, reach, images_);
-    patch.makeImages
-    (
-        particles_.r, ghostBegin + label(firstImage),
-        ghostBegin + label(before), reach, images_
-    );
-    for (std::size_t k = before; k < images_.size(); ++k)
-    {
-        images_[k].patch = patchI;
-    }
-    particles_.resizeGhosts(label(images_.size()));
-    placeImages(before);
-    for (std::size_t k = before; k < images_.size(); ++k)
-    {
-        const label i = ghostBegin + label(k);
-        particles_.m[i] = particles_.m[images_[k].source];
-        particles_.id[i] = particles_.id[images_[k].source];
-        particles_.patch[i] = particles_.patch[images_[k].source];
-    }
-}
-
-// Images of the material first, then of the walls; returns how many are of
-// the material
-label Neighbourhood::makeImages()
-{
-    images_.clear();
-    particles_.resizeGhosts(0);
-    const label nPatches = label(boundaries_.patches().size());
-    for (label patch = 0; patch < nPatches; ++patch)
-    {
-        appendImages(particles_.granular(), 0, patch);
-    }
-    const label nMaterial = label(images_.size());
-    for (label patch = 0; patch < nPatches; ++patch)
-    {
-        appendImages(particles_.walls(), nMaterial, patch);
-    }
-    return nMaterial;
 }
 
 void Neighbourhood::prepare()
@@ -206,7 +134,7 @@ bool Neighbourhood::update()
 {
     if (!mustSort_)
     {
-        placeImages(0);
+        images_.place();
         if (gauge_.complete(particles_.r, grid_, cutOff_, skin_))
         {
             return false;
@@ -245,7 +173,7 @@ bool Neighbourhood::anyUnseen() const
     {
         if (j >= ghosts && j < particles_.null())
         {
-            j = images_[j - ghosts].source;
+            j = images_.all()[j - ghosts].source;
         }
         return j >= sound.begin && j < sound.end;
     };
@@ -266,7 +194,7 @@ bool Neighbourhood::anyUnseen() const
 
 void Neighbourhood::buildLists()
 {
-    const label nMaterial = makeImages();
+    const label nMaterial = images_.make();
 
     const ParticleRange granular = particles_.granular();
     const ParticleRange walls = particles_.walls();
@@ -287,53 +215,6 @@ void Neighbourhood::buildLists()
         particles_.r, walls, grid_, material, reach, particles_.null()
     );
     gauge_.reset(particles_.r, {granular, walls, ghosts});
-}
-
-// One field: images of images come after their sources
-void Neighbourhood::refreshImages(const FieldInfo& info)
-{
-    const label begin = particles_.ghosts().begin;
-    const auto& c = info.components;
-    for (std::size_t k = 0; k < images_.size(); ++k)
-    {
-        const label from = images_[k].source;
-        const label to = begin + label(k);
-        const tensor& R = reflections_[images_[k].patch];
-        if (info.kind == FieldKind::scalar)
-        {
-            (*c[0])[to] = (*c[0])[from];
-        }
-        else if (info.kind == FieldKind::vector)
-        {
-            const vector v = R*vector((*c[0])[from], (*c[1])[from]);
-            (*c[0])[to] = v.x();
-            (*c[1])[to] = v.y();
-        }
-        else
-        {
-            const bool symmetric = info.kind == FieldKind::symmTensor;
-            const label yx = symmetric ? 1 : 2, yy = symmetric ? 2 : 3;
-            tensor t;
-            t << (*c[0])[from], (*c[1])[from],
-                 (*c[yx])[from], (*c[yy])[from];
-            t = (R*t*R.transpose()).eval();
-            (*c[0])[to] = t(0, 0);
-            (*c[1])[to] = t(0, 1);
-            (*c[yx])[to] = t(1, 0);
-            (*c[yy])[to] = t(1, 1);
-        }
-    }
-}
-
-void Neighbourhood::refreshImages(const std::vector<const FieldInfo*>& fields)
-{
-    // Not worth a team of threads below
-    constexpr std::size_t few = 200;
-    #pragma omp parallel for schedule(dynamic) if(images_.size() > few)
-    for (std::size_t k = 0; k < fields.size(); ++k)
-    {
-        refreshImages(*fields[k]);
-    }
 }
 
 } // namespace sph
