@@ -47,6 +47,11 @@ public:
         }
         return wall + pairs.invSumVW*sum;
     }
+
+    WallFriction friction() const override
+    {
+        return {betaMax_, betaMax_, velocity()};
+    }
 };
 
 static const Boundary::Add<Morris> add

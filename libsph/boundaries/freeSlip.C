@@ -29,6 +29,8 @@ public:
         return U - (2.0*(pairs.n & (U - wall)))*pairs.n;
     }
 
+    WallFriction friction() const override { return {0, 2, velocity()}; }
+
     bool mirrorsStress() const override { return true; }
 };
 

@@ -27,6 +27,8 @@ public:
         const vectorLanes twice{2*velocity().x(), 2*velocity().y()};
         return twice - pairs.smoothedVelocity();
     }
+
+    WallFriction friction() const override { return {2, 2, velocity()}; }
 };
 
 static const Boundary::Add<noSlip> add

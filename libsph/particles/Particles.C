@@ -57,7 +57,13 @@ Particles::Particles(const scalar spacing)
         },
         {"Vg", K::scalar, {&Vg}, no, no, "volume, 0 for walls [m2]"},
         {"n", K::vector, {&n.x, &n.y}, no, no, "normal of a wall"},
-        {"depth", K::scalar, {&depth}, no, no, "depth behind a wall [m]"}
+        {"depth", K::scalar, {&depth}, no, no, "depth behind a wall [m]"},
+        {"betaT", K::scalar, {&betaT}, no, no, "limit of beta along a wall"},
+        {"betaN", K::scalar, {&betaN}, no, no, "limit of beta normal to it"},
+        {
+            "Uwall", K::vector, {&Uwall.x, &Uwall.y}, no, no,
+            "velocity of a wall [m/s]"
+        }
     };
     resize(0, 0);
 }

@@ -49,6 +49,14 @@ Scheme::Scheme
     (
         Stabilisation::New(schemes, "stabilisation", material.eos(), *kernel_)
     ),
+    implicitViscosity_
+    (
+        ImplicitViscosity::New
+        (
+            solution, *viscousScheme_, particles, boundaries, neighbourhood_,
+            *kernel_
+        )
+    ),
     wallVelocity_(particles, boundaries),
     wallStress_(particles, boundaries, material.eos(), g),
     wallVelocityGradient_(particles, boundaries)
@@ -77,7 +85,7 @@ Scheme::Scheme
     forceWalk_.add(stressDivergence_);
     forceWalk_.add(*artificialViscosity_);
     forceWalk_.add(*stabilisation_);
-    if (!viscousScheme_->stressCarriesShear())
+    if (!viscousScheme_->stressCarriesShear() && !implicitViscosity_)
     {
         forceWalk_.add(*viscousScheme_);
     }
@@ -88,7 +96,7 @@ Scheme::Scheme
     {
         wallStressWalk_.add(wallVelocityGradient_);
     }
-    if (forcesUse("eta"))
+    if (forcesUse("eta") || implicitViscosity_)
     {
         wallStressWalk_.add(wallViscosity_);
     }
@@ -238,7 +246,15 @@ void Scheme::extrapolateStress()
 void Scheme::forces(const scalar deltaT)
 {
     stabilisation_->setDeltaT(deltaT);
+    if (implicitViscosity_)
+    {
+        implicitViscosity_->guess(deltaT);
+    }
     forceWalk_.run(neighbourhood_.granularPairs(), *kernel_);
+    if (implicitViscosity_)
+    {
+        implicitViscosity_->solve(deltaT);
+    }
 }
 
 void Scheme::initialise()

@@ -1,5 +1,7 @@
 #include "scheme/timeStep.H"
 
+#include "scheme/ImplicitViscosity.H"
+
 #include <cmath>
 #include <iostream>
 
@@ -17,6 +19,7 @@ TimeStep::TimeStep
     (
         solution.getOrDefault("viscousLimit", true)
      && !material.rheology().elastic()
+     && !ImplicitViscosity::selected(solution)
     ),
     viscousNumber_
     (

@@ -9,10 +9,17 @@
 //
 // over granular neighbours. Salehizadeh & Shafiei, Granular Matter 21:32
 // (2019), after Fatehi & Manzari, Int. J. Numer. Methods Fluids 68, 905
-// (2012). It fades with the time step.
+// (2012). It acts as deltaSPH with delta = sigma c dt/h. With the step as
+// printed it fades where the viscous limit makes steps short; with dt = Co h/c
+// instead it does not:
 //
 //     stabilisation  velocityPressureCoupling;
-//     velocityPressureCouplingCoeffs { sigma 1; }
+//     velocityPressureCouplingCoeffs
+//     {
+//         sigma      1;
+//         timeScale  step;                // as printed
+//     //  timeScale  acoustic;  Co 0.2;   // Co: as that of Eq. 33
+//     }
 
 #include "pairs/PairLoop.H"
 #include "stabilisation/Stabilisation.H"
@@ -27,20 +34,37 @@ class velocityPressureCoupling
     public PairSum<velocityPressureCoupling, Stabilisation>
 {
     const scalar sigma_;
+    const bool acoustic_;
+    const scalar CoH_;
     const EquationOfState& eos_;
     scalar deltaT_ = 0;
 
 public:
     velocityPressureCoupling
     (
-        const dictionary& dict, const EquationOfState& eos, const Kernel&
+        const dictionary& dict, const EquationOfState& eos,
+        const Kernel& kernel
     )
     :
         sigma_(dict.getOrDefault("sigma", 1, dimless, Range::nonNegative())),
+        acoustic_
+        (
+            dict.getChoiceOrDefault("timeScale", "step", {"step", "acoustic"})
+         == "acoustic"
+        ),
+        CoH_
+        (
+            acoustic_
+          ? kernel.h()*dict.getOrDefault("Co", 0.2, dimless, Range::positive())
+          : 0
+        ),
         eos_(eos)
     {}
 
-    void setDeltaT(const scalar deltaT) override { deltaT_ = deltaT; }
+    void setDeltaT(const scalar deltaT) override
+    {
+        deltaT_ = acoustic_ ? CoH_/eos_.c() : deltaT;
+    }
 
     static constexpr auto reads = fields(of::Vg, of::p, of::rho, of::gradRho);
 

@@ -1,7 +1,7 @@
 // Cleary's operator, div(2 eta D), conserving angular momentum.
 //
 //     a += 1/rho_i sum 8 V 2 eta_i eta_j/(eta_i + eta_j)
-//                     U_ij.r_ij/(r^2 + 0.01 h^2) grad W                  (16)
+//                     U_ij.r_ij/(r^2 + 0.01 dx^2) grad W                 (16)
 //
 // Cleary & Monaghan, J. Comput. Phys. 148, 227 (1999); Eq. 16 of Salehizadeh &
 // Shafiei, Granular Matter 21:32 (2019). On an ordered lattice its shear part
@@ -9,47 +9,34 @@
 //
 //     viscousScheme  Cleary;
 
-#include "pairs/PairLoop.H"
-#include "viscousSchemes/ViscousScheme.H"
+#include "viscousSchemes/harmonicMean.H"
+#include "viscousSchemes/SymmetricOperator.H"
 
 namespace sph
 {
 namespace
 {
 
-class Cleary : public PairSum<Cleary, ViscousScheme>
+class Cleary : public SymmetricOperator<Cleary>
 {
     const scalar guard_;
 
 public:
     Cleary(const dictionary&, const Particles& particles)
     :
+        SymmetricOperator(particles),
         guard_(0.01*particles.spacing()*particles.spacing())
     {}
 
-    static constexpr auto reads = fields(of::V, of::U, of::eta);
-
-    template<class real>
-    using Sum = vectorOf<real>;
-
     template<class I, class J, class Pair, class real>
-    void add
+    vectorOf<real> force
     (
-        const I& i, const J& j, const Pair& ij, vectorOf<real>& sum
+        const I& i, const J& j, const Pair& ij, const vectorOf<real>& U
     ) const
     {
         using namespace of;
-        const real harmonic =
-            2.0*i(eta)*j(eta)/max(i(eta) + j(eta), real(1e-30));
-        const real approach =
-            ((i(U) - j(U)) & ij.r)/((ij.r & ij.r) + guard_);
-        sum += (8.0*j(V)*harmonic*approach)*ij.gradW();
-    }
-
-    template<class At, class real>
-    void finish(const At& i, const vectorOf<real>& sum) const
-    {
-        i.set(of::a, i(of::a) + (1.0/i(of::rho))*sum);
+        const real approach = (U & ij.r)/((ij.r & ij.r) + guard_);
+        return (8.0*harmonicMean(i(eta), j(eta))*approach)*ij.gradW();
     }
 };
 

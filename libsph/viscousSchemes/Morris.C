@@ -7,39 +7,28 @@
 //
 //     viscousScheme  Morris;
 
-#include "pairs/PairLoop.H"
-#include "viscousSchemes/ViscousScheme.H"
+#include "viscousSchemes/SymmetricOperator.H"
 
 namespace sph
 {
 namespace
 {
 
-class Morris : public PairSum<Morris, ViscousScheme>
+class Morris : public SymmetricOperator<Morris>
 {
 public:
-    Morris(const dictionary&, const Particles&)
+    Morris(const dictionary&, const Particles& particles)
+    :
+        SymmetricOperator(particles)
     {}
 
-    static constexpr auto reads = fields(of::V, of::U, of::eta);
-
-    template<class real>
-    using Sum = vectorOf<real>;
-
     template<class I, class J, class Pair, class real>
-    void add
+    vectorOf<real> force
     (
-        const I& i, const J& j, const Pair& ij, vectorOf<real>& sum
+        const I& i, const J& j, const Pair& ij, const vectorOf<real>& U
     ) const
     {
-        using namespace of;
-        sum += (j(V)*(i(eta) + j(eta))*ij.F)*(i(U) - j(U));
-    }
-
-    template<class At, class real>
-    void finish(const At& i, const vectorOf<real>& sum) const
-    {
-        i.set(of::a, i(of::a) + (1.0/i(of::rho))*sum);
+        return ((i(of::eta) + j(of::eta))*ij.F)*U;
     }
 };
 

@@ -65,6 +65,10 @@ TEST_F(stableTimeStep, isViscousWhereViscosityLimits)
     EXPECT_NEAR(stable("", fluid), 0.1*h*h/2, 1e-15);
     EXPECT_NEAR(stable("viscousNumber 0.3;", fluid), 0.3*h*h/2, 1e-15);
     EXPECT_NEAR(stable("viscousLimit no;", fluid), h/c, 1e-15);
+    EXPECT_NEAR
+    (
+        stable("viscousIntegration implicit;", fluid), h/c, 1e-15
+    );
     P.eta[11] = 1e-3;
     EXPECT_NEAR(stable("", fluid), h/c, 1e-15);
 }

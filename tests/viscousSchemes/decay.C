@@ -68,7 +68,14 @@ struct decay : testing::TestWithParam<const char*>
         return {xxxx, xxyy};
     }
 
-    bool Cleary() const { return GetParam() == std::string("Cleary"); }
+    // Those that act along the pair
+    bool Cleary() const
+    {
+        const std::string scheme = GetParam();
+        return
+            scheme == "Cleary" || scheme == "SchwaigerCleary"
+         || scheme == "SchwaigerAsPrinted";
+    }
 };
 
 } // namespace
@@ -102,7 +109,12 @@ TEST_P(decay, ofTaylorAndGreensVortices)
 
 INSTANTIATE_TEST_SUITE_P
 (
-    all, decay, testing::Values("stressDivergence", "Morris", "Cleary"),
+    all, decay,
+    testing::Values
+    (
+        "stressDivergence", "Morris", "Cleary", "SchwaigerMorris",
+        "SchwaigerCleary", "SchwaigerAsPrinted"
+    ),
     [](const auto& info) { return std::string(info.param); }
 );
 
