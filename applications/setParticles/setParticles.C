@@ -66,7 +66,7 @@ static int setParticles(int argc, char* argv[])
     createParticles(regions, boundaries, rho0, particles);
     checkBetweenPlanes(regions, boundaries, particles);
     setHydrostatic(dict, g, *equationOfState, regions, particles);
-    setFieldValues(regions, particles);
+    setFieldValues(dict, regions, particles);
     correctVolumeAndPressure(*equationOfState, particles);
     dict.refuseUnused();
     reportParticles(regions, boundaries, particles);

@@ -20,6 +20,7 @@ class Evaluator
 {
     ExpressionText text_;
     const VariableValue& variable_;
+    const std::map<std::string, scalar>& names_;
     label depth_ = 0;
 
     scalar number(const Value& value) const
@@ -214,6 +215,11 @@ class Evaluator
         {
             return Value::number(name == "true");
         }
+        const auto known = names_.find(name);
+        if (known != names_.end())
+        {
+            return Value::number(known->second);
+        }
         if (!text_.take("("))
         {
             text_.fail
@@ -243,10 +249,15 @@ class Evaluator
     }
 
 public:
-    Evaluator(const std::string& text, const VariableValue& variable)
+    Evaluator
+    (
+        const std::string& text, const VariableValue& variable,
+        const std::map<std::string, scalar>& names
+    )
     :
         text_(text),
-        variable_(variable)
+        variable_(variable),
+        names_(names)
     {}
 
     Value result()
@@ -272,10 +283,11 @@ public:
 
 ExpressionValue evaluate
 (
-    const std::string& text, const VariableValue& variable
+    const std::string& text, const VariableValue& variable,
+    const std::map<std::string, scalar>& names
 )
 {
-    return Evaluator(text, variable).result();
+    return Evaluator(text, variable, names).result();
 }
 
 } // namespace sph

@@ -1,5 +1,6 @@
 #include "setup/setFieldValues.H"
 
+#include "setup/FieldExpression.H"
 #include "setup/createParticles.H"
 
 namespace sph
@@ -8,25 +9,91 @@ namespace sph
 namespace
 {
 
-void setU(const dictionary& fields, const ParticleRange& range, Particles& p)
+// Where a field is given, and for whom
+struct Target
 {
-    const vector U = fields.getVector("U", dimVelocity);
-    for (label i = range.begin; i < range.end; ++i)
+    const dictionary& top;
+    const dictionary& region;
+    const dictionary& fields;
+    ParticleRange range;
+    Particles& particles;
+
+    // Whether the field has a dictionary, of type expression, for its value
+    bool isExpression(const word& field) const
     {
-        p.U.set(i, U);
+        if (!fields.isDict(field))
+        {
+            return false;
+        }
+        fields.subDict(field).getChoice("type", {"expression"});
+        return true;
     }
+
+    FieldExpression expression(const word& field, const word& key) const
+    {
+        return {fields.subDict(field), key, {&top, &region, &fields}};
+    }
+
+    // The value at its position for every particle
+    template<class Value, class Set>
+    void forEach(Value&& value, const Set& set) const
+    {
+        for (label i = range.begin; i < range.end; ++i)
+        {
+            set(i, value(particles.r[i]));
+        }
+    }
+};
+
+void setU(const Target& target)
+{
+    const auto set = [&](const label i, const vector& U)
+    {
+        target.particles.U.set(i, U);
+    };
+    if (!target.isExpression("U"))
+    {
+        const vector U = target.fields.getVector("U", dimVelocity);
+        target.forEach([&](const vector&) { return U; }, set);
+        return;
+    }
+    FieldExpression x = target.expression("U", "x");
+    FieldExpression y = target.expression("U", "y");
+    target.forEach([&](const vector& r) { return vector(x(r), y(r)); }, set);
 }
 
-void setRho(const dictionary& fields, const ParticleRange& range, Particles& p)
+void setRho(const Target& target)
 {
-    const scalar rho = fields.get("rho", dimDensity, Range::positive());
-    for (label i = range.begin; i < range.end; ++i)
+    const auto set = [&](const label i, const scalar rho)
     {
-        p.rho[i] = rho;
+        target.particles.rho[i] = rho;
+    };
+    if (!target.isExpression("rho"))
+    {
+        const scalar rho =
+            target.fields.get("rho", dimDensity, Range::positive());
+        target.forEach([&](const vector&) { return rho; }, set);
+        return;
     }
+    FieldExpression value = target.expression("rho", "value");
+    const auto positive = [&](const vector& r)
+    {
+        const scalar rho = value(r);
+        if (!(rho > 0))
+        {
+            target.fields.subDict("rho").fail
+            (
+                "value", "The density must be greater than 0, but is "
+              + std::to_string(rho) + " at (" + std::to_string(r.x()) + ' '
+              + std::to_string(r.y()) + " 0)"
+            );
+        }
+        return rho;
+    };
+    target.forEach(positive, set);
 }
 
-void setS(const dictionary& fields, const ParticleRange& range, Particles& p)
+tensor readS(const dictionary& fields)
 {
     const auto s = fields.get<std::vector<scalar>>("s");
     if (s.size() != 6 || s[2] != 0 || s[4] != 0 || s[5] != 0)
@@ -37,14 +104,32 @@ void setS(const dictionary& fields, const ParticleRange& range, Particles& p)
             " (xx xy 0 yy 0 0)"
         );
     }
-    const tensor value = (tensor() << s[0], s[1], s[1], s[3]).finished();
-    for (label i = range.begin; i < range.end; ++i)
-    {
-        p.s.set(i, value);
-    }
+    return (tensor() << s[0], s[1], s[1], s[3]).finished();
 }
 
-using Setter = void (*)(const dictionary&, const ParticleRange&, Particles&);
+void setS(const Target& target)
+{
+    const auto set = [&](const label i, const tensor& s)
+    {
+        target.particles.s.set(i, s);
+    };
+    if (!target.isExpression("s"))
+    {
+        const tensor s = readS(target.fields);
+        target.forEach([&](const vector&) { return s; }, set);
+        return;
+    }
+    FieldExpression xx = target.expression("s", "xx");
+    FieldExpression xy = target.expression("s", "xy");
+    const auto deviator = [&](const vector& r)
+    {
+        const scalar sxx = xx(r), sxy = xy(r);
+        return (tensor() << sxx, sxy, sxy, -sxx).finished();
+    };
+    target.forEach(deviator, set);
+}
+
+using Setter = void (*)(const Target&);
 
 const std::map<word, Setter> setters
 {
@@ -70,13 +155,15 @@ const std::map<word, Setter> setters
 
 void setFieldValues
 (
-    const std::vector<RegionParticles>& regions, Particles& particles
+    const dictionary& dict, const std::vector<RegionParticles>& regions,
+    Particles& particles
 )
 {
     const std::vector<ParticleRange> ranges = rangesOf(regions);
     for (std::size_t k = 0; k < regions.size(); ++k)
     {
-        const dictionary& fields = regions[k].dict->subOrEmptyDict("fields");
+        const dictionary& region = *regions[k].dict;
+        const dictionary& fields = region.subOrEmptyDict("fields");
         for (const word& name : fields.toc())
         {
             const auto setter = setters.find(name);
@@ -84,7 +171,7 @@ void setFieldValues
             {
                 failUnknown(fields, name);
             }
-            setter->second(fields, ranges[k], particles);
+            setter->second({dict, region, fields, ranges[k], particles});
         }
     }
 }

@@ -125,7 +125,7 @@ TEST(FieldValues, areThoseOfTheRegionOnly)
     const Filled filled("regions (" + a + moving + ");");
     Particles particles(0.1);
     createParticles(filled.regions, floorAt("0"), 1600, particles);
-    setFieldValues(filled.regions, particles);
+    setFieldValues(filled.dict, filled.regions, particles);
     EXPECT_EQ(particles.U[99], vector(0, 0));
     EXPECT_EQ(particles.rho[99], 1600);
     for (const label i : {100, 199})
@@ -150,7 +150,7 @@ TEST(FieldValues, wrongOnesAreRefused)
         );
         Particles particles(0.1);
         createParticles(filled.regions, floorAt("0"), 1600, particles);
-        setFieldValues(filled.regions, particles);
+        setFieldValues(filled.dict, filled.regions, particles);
     };
     expectError
     (
@@ -171,7 +171,7 @@ TEST(SetParticlesDict, aMisspeltEntryOfARegionIsRefused)
     );
     Particles particles(0.1);
     createParticles(filled.regions, floorAt("0"), 1600, particles);
-    setFieldValues(filled.regions, particles);
+    setFieldValues(filled.dict, filled.regions, particles);
     expectError
     (
         [&]{ filled.dict.refuseUnused(); }, {"feilds", "'fields'"}, 4
