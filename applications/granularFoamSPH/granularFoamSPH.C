@@ -79,7 +79,8 @@ int main(int argc, char* argv[])
         const bool complete = readState(runTime.timePath(), particles);
         const bool restart = complete && runTime.index() > 0;
         Material material(properties, g, particles.spacing());
-        const Boundaries boundaries(boundary, particles.spacing());
+        Boundaries boundaries(boundary, particles.spacing());
+        boundaries.moveTo(runTime.value());
         Scheme scheme
         (
             schemes, solution, particles, boundaries, material, g
@@ -141,6 +142,7 @@ int main(int argc, char* argv[])
             const scalar dt = runTime.deltaT();
 
             integrator->begin(particles, dt);       // (27)-(28)
+            boundaries.moveTo(runTime.value(), particles);
             netHits += boundaries.net(particles);
             sleep.update(dt, runTime.index());
             scheme.updatePairs();

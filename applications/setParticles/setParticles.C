@@ -55,7 +55,8 @@ static int setParticles(int argc, char* argv[])
 
     Lattice lattice(dict);
     const scalar dx = lattice.spacing();
-    const Boundaries boundaries(dictionary::fromFile(constant/"boundary"), dx);
+    Boundaries boundaries(dictionary::fromFile(constant/"boundary"), dx);
+    boundaries.moveTo(time.value);
 
     auto regions = fillRegions(dict, lattice);
     resolveOverlaps(dict, dx, regions);

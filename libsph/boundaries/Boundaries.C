@@ -1,5 +1,9 @@
 #include "boundaries/Boundaries.H"
 
+#include "boundaries/Places.H"
+
+#include <algorithm>
+
 namespace sph
 {
 
@@ -17,30 +21,88 @@ Boundaries::Boundaries(const dictionary& dict, const scalar spacing)
             );
         }
     }
+    if (anyMoves())
+    {
+        drawn_ = drawnParticles();
+    }
+    moveTo(0);
+}
+
+bool Boundaries::anyMoves() const
+{
+    return std::any_of
+    (
+        patches_.begin(), patches_.end(),
+        [](const auto& patch) { return patch->moves(); }
+    );
+}
+
+// In the order of the patches
+std::vector<WallParticle> Boundaries::drawnParticles() const
+{
+    Places places(0.6*spacing_);
+    std::vector<std::vector<WallParticle>> ofPatch(patches_.size());
+    for (const bool moving : {false, true})
+    {
+        for (label p = 0; p < label(patches_.size()); ++p)
+        {
+            if (patches_[p]->moves() != moving)
+            {
+                continue;
+            }
+            for (WallParticle& w : patches_[p]->wallParticles())
+            {
+                if (places.free(w.r))
+                {
+                    w.patch = p;
+                    ofPatch[p].push_back(w);
+                }
+            }
+            for (const WallParticle& w : ofPatch[p])
+            {
+                places.take(w.r);
+            }
+        }
+    }
+    std::vector<WallParticle> all;
+    for (const auto& particles : ofPatch)
+    {
+        all.insert(all.end(), particles.begin(), particles.end());
+    }
+    return all;
 }
 
 std::vector<WallParticle> Boundaries::wallParticles() const
 {
-    const scalar tooNearSqr = 0.36*spacing_*spacing_;
-    std::vector<WallParticle> all;
-    for (label p = 0; p < label(patches_.size()); ++p)
+    std::vector<WallParticle> all = drawnParticles();
+    for (WallParticle& w : all)
     {
-        const std::size_t others = all.size();
-        for (WallParticle w : patches_[p]->wallParticles())
-        {
-            bool free = true;
-            for (std::size_t i = 0; free && i < others; ++i)
-            {
-                free = (all[i].r - w.r).squaredNorm() > tooNearSqr;
-            }
-            if (free)
-            {
-                w.patch = p;
-                all.push_back(w);
-            }
-        }
+        w.r += patches_[w.patch]->displacement();
     }
     return all;
+}
+
+void Boundaries::moveTo(const scalar time)
+{
+    for (const auto& patch : patches_)
+    {
+        patch->moveTo(time);
+    }
+}
+
+void Boundaries::moveTo(const scalar time, Particles& particles)
+{
+    moveTo(time);
+    for (std::size_t k = 0; k < drawn_.size(); ++k)
+    {
+        const Boundary& patch = *patches_[drawn_[k].patch];
+        if (patch.moves())
+        {
+            const label w = particles.walls().begin + label(k);
+            particles.r.set(w, drawn_[k].r + patch.displacement());
+            particles.Umean.set(w, patch.motion());
+        }
+    }
 }
 
 void Boundaries::setDepths(Particles& particles) const

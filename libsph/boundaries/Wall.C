@@ -7,6 +7,11 @@
 namespace sph
 {
 
+static Motion readMotion(const dictionary& dict)
+{
+    return dict.found("motion") ? Motion(dict.subDict("motion")) : Motion();
+}
+
 Wall::Wall(const dictionary& dict, const word& name, const scalar spacing)
 :
     Boundary(name, spacing),
@@ -15,7 +20,8 @@ Wall::Wall(const dictionary& dict, const word& name, const scalar spacing)
     velocity_
     (
         dict.getVectorOrDefault("velocity", vector::Zero(), dimVelocity)
-    )
+    ),
+    motion_(readMotion(dict))
 {
     if (points_.size() < 2)
     {
@@ -23,10 +29,11 @@ Wall::Wall(const dictionary& dict, const word& name, const scalar spacing)
     }
     for (label s = 0; s < segmentCount(); ++s)
     {
-        if ((points_[s + 1] - points_[s]).norm() < 1e-6*spacing)
+        if (length(s) < 1e-6*spacing)
         {
             dict.fail("points", "Two points of the wall coincide");
         }
+        tangents_.push_back((points_[s + 1] - points_[s]).normalized());
     }
     if (layers_ < 1)
     {
@@ -34,30 +41,67 @@ Wall::Wall(const dictionary& dict, const word& name, const scalar spacing)
     }
     closed_ = points_.size() > 3
         && (points_.front() - points_.back()).norm() < 1e-6*spacing;
+    for (label v = 0; v <= segmentCount(); ++v)
+    {
+        const auto [before, after] = corner(v);
+        if (tangent(before).dot(tangent(after)) < -0.9999)
+        {
+            dict.fail
+            (
+                "points", "The wall turns back on itself at ("
+              + std::to_string(points_[v].x()) + ' '
+              + std::to_string(points_[v].y()) + " 0)"
+            );
+        }
+    }
+    netLine_ = offset(-0.25*spacing);
 }
 
-vector Wall::tangent(const label segment) const
+void Wall::moveTo(const scalar time)
 {
-    return (points_[segment + 1] - points_[segment]).normalized();
+    displacement_ = motion_.displacement(time);
+    motionVelocity_ = motion_.velocity(time);
+}
+
+scalar Wall::length(const label segment) const
+{
+    return (points_[segment + 1] - points_[segment]).norm();
 }
 
 // To the left
 vector Wall::normal(const label segment) const
 {
-    const vector t = tangent(segment);
+    const vector& t = tangent(segment);
     return {-t.y(), t.x()};
 }
 
-scalar Wall::distance(const vector& point) const
+Wall::Corner Wall::corner(const label point) const
 {
-    // Nearest foot on the polyline; its sign is that of the nearer segment,
-    // at a corner that of the segment which the point faces most
+    const label n = segmentCount();
+    return
+    {
+        point > 0 ? point - 1 : (closed_ ? n - 1 : 0),
+        point < n ? point : (closed_ ? 0 : n - 1)
+    };
+}
+
+scalar Wall::turn(const label point) const
+{
+    const auto [before, after] = corner(point);
+    return normal(before).dot(tangent(after));
+}
+
+// The nearest one; its side is that of the nearer segment, at a corner that of
+// the segment which the point faces most
+Wall::Foot Wall::foot(const vector& point) const
+{
     scalar best = std::numeric_limits<scalar>::infinity();
     scalar bestSide = 0;
+    Foot foot{-1, 0, best};
     for (label s = 0; s < segmentCount(); ++s)
     {
-        const scalar length = (points_[s + 1] - points_[s]).norm();
-        const vector t = tangent(s);
+        const scalar length = this->length(s);
+        const vector& t = tangent(s);
         const vector d = point - points_[s];
         const scalar along = d.dot(t);
         const bool first = s == 0 && !closed_;
@@ -66,9 +110,8 @@ scalar Wall::distance(const vector& point) const
         {
             continue;
         }
-        const vector foot =
-            points_[s] + std::min(std::max(along, 0.0), length)*t;
-        const scalar magnitude = (point - foot).norm();
+        const scalar clamped = std::min(std::max(along, 0.0), length);
+        const scalar magnitude = (d - clamped*t).norm();
         const scalar side = d.dot(normal(s));
         const bool tie = std::abs(magnitude - best) <= 1e-12*length;
         if
@@ -79,52 +122,15 @@ scalar Wall::distance(const vector& point) const
         {
             best = std::min(best, magnitude);
             bestSide = side;
+            foot = {s, along, bestSide < 0 ? -best : best};
         }
     }
-    return bestSide < 0 ? -best : best;
+    return foot;
 }
 
-std::vector<vector> Wall::offset(const scalar depth) const
+scalar Wall::distance(const vector& point) const
 {
-    const label n = segmentCount();
-    std::vector<vector> moved(points_.size());
-    for (label v = 0; v <= n; ++v)
-    {
-        const label before = v > 0 ? v - 1 : (closed_ ? n - 1 : 0);
-        const label after = v < n ? v : (closed_ ? 0 : n - 1);
-        const vector a = normal(before), b = normal(after);
-        // Mitre: the point at the given depth behind both segments
-        moved[v] = points_[v] - depth/(1 + a.dot(b))*(a + b);
-    }
-    return moved;
-}
-
-std::vector<WallParticle> Wall::wallParticles() const
-{
-    const scalar dx = spacing();
-    std::vector<WallParticle> particles;
-    for (label layer = 0; layer < layers_; ++layer)
-    {
-        const scalar depth = (layer + 0.5)*dx;
-        const std::vector<vector> line = offset(depth);
-        for (label s = 0; s < segmentCount(); ++s)
-        {
-            const vector t = tangent(s);
-            const scalar length = (line[s + 1] - line[s]).dot(t);
-            // A side that a re-entrant corner has used up
-            if (length <= 0)
-            {
-                continue;
-            }
-            const label n = std::max<label>(1, std::lround(length/dx));
-            for (label i = 0; i < n; ++i)
-            {
-                const vector r = line[s] + (i + 0.5)*length/n*t;
-                particles.push_back({r, normal(s), depth, -1});
-            }
-        }
-    }
-    return particles;
+    return foot(point - displacement_).distance;
 }
 
 void Wall::check(const Particles&, const scalar reach) const
@@ -143,47 +149,6 @@ void Wall::check(const Particles&, const scalar reach) const
             " and run setParticles again."
         );
     }
-}
-
-label Wall::net(Particles& particles) const
-{
-    const scalar gap = 0.25*spacing();
-    const scalar reach = 2*spacing();
-    vectorField& r = particles.r;
-    vectorField& U = particles.U;
-    label hits = 0;
-    for (label s = 0; s < segmentCount(); ++s)
-    {
-        const vector p = points_[s], t = tangent(s), n = normal(s);
-        const scalar length = (points_[s + 1] - points_[s]).norm();
-        const vector velocity = velocity_;
-        #pragma omp parallel for schedule(static) reduction(+: hits)
-        for (label i = 0; i < particles.awake().end; ++i)
-        {
-            const scalar dx = r.x[i] - p.x(), dy = r.y[i] - p.y();
-            const scalar height = dx*n.x() + dy*n.y();
-            if (height < gap && height > -reach)
-            {
-                const scalar along = dx*t.x() + dy*t.y();
-                const bool here = along >= 0 && along <= length;
-                if (here)
-                {
-                    r.x[i] += (gap - height)*n.x();
-                    r.y[i] += (gap - height)*n.y();
-                    const scalar Un =
-                        (U.x[i] - velocity.x())*n.x()
-                      + (U.y[i] - velocity.y())*n.y();
-                    if (Un < 0)
-                    {
-                        U.x[i] -= Un*n.x();
-                        U.y[i] -= Un*n.y();
-                    }
-                    ++hits;
-                }
-            }
-        }
-    }
-    return hits;
 }
 
 } // namespace sph

@@ -36,6 +36,11 @@ void Sleep::findMotion()
         const bool pushed = ratioSqr(P.Umean, i, imbalance) > 1;
         motion_[i] = pushed ? stirring | moving | rousing : 0;
     }
+    for (label w = P.walls().begin; w < P.walls().end; ++w)
+    {
+        const bool moves = P.Umean.x[w] != 0 || P.Umean.y[w] != 0;
+        motion_[w] = moves ? stirring | moving | rousing : 0;
+    }
     const auto& images = neighbourhood_.images();
     for (std::size_t k = 0; k < images.size(); ++k)
     {

@@ -142,6 +142,34 @@ TEST(repeatability, restartBitForBitWithSleepers)
     EXPECT_EQ(sleepers(where, "0.36"), 0);
 }
 
+// A gate that has lifted half of its way when the state is written, and is
+// away when the run ends
+TEST(repeatability, restartBitForBitWithAGate)
+{
+    const AppCase where;
+    where.append
+    (
+        "constant/boundary",
+        "gate { type freeSlip; points ((0.0972 0 0) (0.0972 0.1 0));"
+        " motion { velocity (0 1.3 0); start 0.002; end 0.017; } }"
+    );
+    expectRestartIsExact(where);
+    Particles start, half, end;
+    readState(where.dir()/"0", start);
+    readState(where.dir()/"0.01", half);
+    readState(where.dir()/"0.02", end);
+    const label last = start.walls().end - 1;
+    EXPECT_NEAR(half.r.y[last] - start.r.y[last], 1.3*0.008, 1e-12);
+    EXPECT_NEAR(end.r.y[last] - start.r.y[last], 1.3*0.015, 1e-12);
+
+    // Another boundary does not fit the wall particles of this time
+    where.replace("constant/boundary", "1\\.3", "1.4");
+    where.remove("0.02");
+    const Outcome outcome = where.run("granularFoamSPH");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_TRUE(says(outcome, "Run setParticles again"));
+}
+
 TEST(repeatability, newParticlesBelongToTheEntries)
 {
     const AppCase where;

@@ -30,6 +30,14 @@ TEST(runoutLaws, haveThePublishedValues)
     EXPECT_NEAR(lagree->runout(0.5).value, 1.1, 1e-12);
     EXPECT_NEAR(lagree->runout(10).value, 19.546, 1e-3);
     EXPECT_NEAR(lagree->height(6.26).value, 1.2353, 1e-3);
+
+    // a = 0.7: 0.2935 m beyond the gate and 0.1308 m high from 0.14 m
+    const auto mangeney = law("law Mangeney2010;");
+    EXPECT_NEAR(mangeney->runout(0.7).value, 0.29352/0.2, 1e-4);
+    EXPECT_NEAR(mangeney->height(0.7).value, 0.13079/0.2, 1e-4);
+    const auto slope = law("law Mangeney2010; theta 10;");
+    EXPECT_FALSE(slope->runout(0.7).given());
+    EXPECT_FALSE(slope->height(0.7).given());
 }
 
 

@@ -1,0 +1,113 @@
+// The last net of a wall: a line dx/4 in front of it that nothing passes.
+#include "boundaries/Wall.H"
+
+namespace sph
+{
+
+// Nets of both segments meet at the corner of the line
+void Wall::holdAtCorner(const label point, Hold& hold) const
+{
+    const auto [before, after] = corner(point);
+    hold.r = netLine_[point];
+    hold.normals[0] = normal(before);
+    hold.normals[1] = normal(after);
+    hold.count = 2;
+}
+
+// Whether the net catches a point, relative to the wall as it was drawn
+bool Wall::hold(const vector& point, Hold& hold) const
+{
+    const scalar gap = 0.25*spacing();
+    const Foot foot = this->foot(point);
+    // What stands on the net is not caught again for its rounding
+    const scalar least = (1 - 1e-9)*gap;
+    if (!(foot.distance < least && foot.distance > -2*spacing()))
+    {
+        return false;
+    }
+    const label s = foot.segment;
+    const vector& t = tangent(s);
+    const bool inner[2] = {turn(s) > 1e-9, turn(s + 1) > 1e-9};
+    const scalar begin = inner[0] ? (netLine_[s] - points_[s]).dot(t) : 0;
+    const scalar end =
+        inner[1] ? (netLine_[s + 1] - points_[s]).dot(t) : length(s);
+    if (inner[0] && foot.along < begin)
+    {
+        holdAtCorner(s, hold);
+    }
+    else if (inner[1] && foot.along > end)
+    {
+        holdAtCorner(s + 1, hold);
+    }
+    else if (foot.along < begin || foot.along > end)
+    {
+        // Round an edge
+        const vector& edge = points_[foot.along < begin ? s : s + 1];
+        hold.normals[0] = (point - edge).normalized();
+        hold.r = edge + gap*hold.normals[0];
+        hold.count = 1;
+    }
+    else
+    {
+        const vector n = normal(s);
+        hold.normals[0] = n;
+        hold.r = point + (gap - (point - points_[s]).dot(n))*n;
+        hold.count = 1;
+    }
+    return true;
+}
+
+label Wall::net(Particles& particles) const
+{
+    const scalar gap = 0.25*spacing();
+    const scalar reach = 2*spacing();
+    vectorField& r = particles.r;
+    vectorField& U = particles.U;
+    const vector velocity = this->velocity();
+    label hits = 0;
+    for (label s = 0; s < segmentCount(); ++s)
+    {
+        const vector p = points_[s] + displacement_;
+        const vector t = tangent(s), n = normal(s);
+        // Corners hold what has passed beside the segments
+        const scalar begin = s == 0 && !closed_ ? 0 : -reach;
+        const scalar end =
+            length(s)
+          + (s == segmentCount() - 1 && !closed_ ? 0 : reach);
+        #pragma omp parallel for schedule(static) reduction(+: hits)
+        for (label i = 0; i < particles.awake().end; ++i)
+        {
+            const scalar dx = r.x[i] - p.x(), dy = r.y[i] - p.y();
+            const scalar height = dx*n.x() + dy*n.y();
+            if (height < gap && height > -reach)
+            {
+                const scalar along = dx*t.x() + dy*t.y();
+                Hold held;
+                if
+                (
+                    along >= begin && along <= end
+                 && hold(r[i] - displacement_, held)
+                )
+                {
+                    r.set(i, held.r + displacement_);
+                    U.set(i, velocity + held.allowed(U[i] - velocity));
+                    ++hits;
+                }
+            }
+        }
+    }
+    return hits;
+}
+
+// Without what goes against a normal; between two sides that close in, at rest
+vector Wall::Hold::allowed(vector U) const
+{
+    for (label k = 0; k < count; ++k)
+    {
+        U -= std::min(U.dot(normals[k]), 0.0)*normals[k];
+    }
+    const bool still = count == 2 && U.dot(normals[0]) < -1e-9*U.norm();
+    return still ? vector(vector::Zero()) : U;
+}
+
+} // namespace sph
