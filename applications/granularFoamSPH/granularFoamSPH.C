@@ -98,7 +98,14 @@ int main(int argc, char* argv[])
 
         boundaries.setDepths(particles);
         SoundSpeed soundSpeed(material.eos(), g, particles, runTime.value());
-        soundSpeed.read(runTime.timePath());
+        if (runTime.index() == 0)
+        {
+            soundSpeed.start(runTime.timePath());
+        }
+        else
+        {
+            soundSpeed.read(runTime.timePath());
+        }
         sleep.start(runTime.timePath(), restart);
         const dictionary none;
         FunctionObjects functions

@@ -2,10 +2,12 @@
 //
 // Reads   system/setParticlesDict, system/controlDict, constant/boundary,
 //         constant/g, constant/granularProperties
-// Writes  <startTime>/granular.vtp, <startTime>/walls.vtp
+// Writes  <startTime>/granular.vtp, <startTime>/walls.vtp and, of a
+//         hydrostatic start, <startTime>/uniform/equationOfState
 
 #include "io/caseIO.H"
 #include "runTime/TimeControls.H"
+#include "scheme/BulkModulusState.H"
 #include "selection/Libraries.H"
 #include "setup/checkBetweenPlanes.H"
 #include "setup/checkWallDistance.H"
@@ -66,7 +68,8 @@ static int setParticles(int argc, char* argv[])
     Particles particles(dx);
     createParticles(regions, boundaries, rho0, particles);
     checkBetweenPlanes(regions, boundaries, particles);
-    setHydrostatic(dict, g, *equationOfState, regions, particles);
+    const bool hydrostatic =
+        setHydrostatic(dict, g, *equationOfState, regions, particles);
     setFieldValues(dict, regions, particles);
     correctVolumeAndPressure(*equationOfState, particles);
     dict.refuseUnused();
@@ -76,6 +79,10 @@ static int setParticles(int argc, char* argv[])
     const fs::path folder = caseDir/time.name;
     std::error_code ignored;
     fs::remove_all(folder/"uniform", ignored);  // an earlier run's clock and K
+    if (hydrostatic)
+    {
+        BulkModulusState{equationOfState->K()}.write(folder);
+    }
     writeState
     (
         particles, time.value, folder,

@@ -1,6 +1,7 @@
 #include "scheme/Guard.H"
 
 #include "io/caseIO.H"
+#include "scheme/BulkModulusState.H"
 #include "scheme/SoundSpeed.H"
 
 #include <cmath>
@@ -82,7 +83,7 @@ void Guard::check(Particles& particles, const Time& runTime)
     const word name = runTime.timeName(keptTime_);
     const std::filesystem::path folder = runTime.caseDir()/name;
     restore(particles);
-    SoundSpeed::write(folder, keptK_);
+    BulkModulusState{keptK_}.write(folder);
     writeState
     (
         particles, keptTime_, folder,
@@ -214,9 +215,17 @@ std::string Guard::diagnosis
             << " larger domain in system/sphSolution\n";
     }
     os << "  - a smaller maxCo in system/controlDict (0.2)\n"
-        << "  - a greater KFactor of the equation of state, or adaptive yes,"
-        << " if speeds come near that of sound\n"
-        << "  - stabilisation, artificialViscosity and shifting other than"
+        << "  - a greater KFactor of the equation of state,";
+    if (material_.eos().adaptive())
+    {
+        os << " or H: K follows up to " << SoundSpeed::maxRise
+            << " times that of H\n";
+    }
+    else
+    {
+        os << " or adaptive yes, if speeds come near that of sound\n";
+    }
+    os << "  - stabilisation, artificialViscosity and shifting other than"
         << " none in system/sphSchemes\n";
     return os.str();
 }

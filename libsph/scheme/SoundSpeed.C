@@ -1,20 +1,16 @@
 #include "scheme/SoundSpeed.H"
 
-#include "primitives/writeFile.H"
+#include "scheme/BulkModulusState.H"
+#include "scheme/changeBulkModulus.H"
 
 #include <cmath>
-#include <iomanip>
-#include <iostream>
-#include <map>
+#include <sstream>
 
 namespace sph
 {
 
 // Ratio of two values of K, one after the other
 static constexpr scalar rung = 1.1;
-
-// At the end of a window: to half of K
-static constexpr label mostRungsDown = 7;
 
 SoundSpeed::SoundSpeed
 (
@@ -24,11 +20,16 @@ SoundSpeed::SoundSpeed
 :
     eos_(eos),
     particles_(particles),
-    g_(g),
-    minK_(eos.KFactor()*eos.rho0()*g.norm()*4*particles.spacing()),
-    maxK_(100*eos.K())
+    burden_(particles, g, eos.rho0()),
+    magG_(g.norm()),
+    minK_(eos.KFactor()*eos.rho0()*magG_*4*particles.spacing()),
+    maxK_(maxRise*eos.K()),
+    windowStart_(time)
 {
-    openWindow(time);
+    if (eos_.adaptive())
+    {
+        openWindow(time, minK_);
+    }
 }
 
 scalar SoundSpeed::K(const label rungs) const
@@ -36,23 +37,49 @@ scalar SoundSpeed::K(const label rungs) const
     return eos_.K()*std::pow(rung, rungs);
 }
 
-void SoundSpeed::openWindow(const scalar time)
+void SoundSpeed::openWindow(const scalar time, const scalar leastK)
 {
     windowStart_ = time;
     windowRungs_ = 0;
-    while
-    (
-        windowRungs_ > -mostRungsDown && K(windowRungs_ - 1) >= minK_
-    )
+    while (K(windowRungs_ - 1) >= leastK)
     {
         --windowRungs_;
     }
 }
 
-// Hs = c^2/(KFactor |g|)
+void SoundSpeed::look()
+{
+    while
+    (
+        K(windowRungs_) < maxK_
+     && burden_.exceeds(K(windowRungs_)/eos_.KFactor())
+    )
+    {
+        ++windowRungs_;
+    }
+}
+
+bool SoundSpeed::move(const bool down)
+{
+    if (windowRungs_ <= 0 && !(down && windowRungs_ < -1))
+    {
+        return false;
+    }
+    change(K(windowRungs_));
+    windowRungs_ = 0;
+    return true;
+}
+
+void SoundSpeed::change(const scalar K)
+{
+    changeBulkModulus(eos_, particles_, K, magG_);
+}
+
 scalar SoundSpeed::windowLength() const
 {
-    return 4*eos_.c()/(eos_.KFactor()*g_.norm());
+    const scalar Hs =
+        K(windowRungs_)/(eos_.KFactor()*eos_.rho0()*magG_);
+    return 4*Hs/eos_.c();
 }
 
 bool SoundSpeed::follow(const scalar time)
@@ -61,141 +88,79 @@ bool SoundSpeed::follow(const scalar time)
     {
         return false;
     }
-    while
-    (
-        K(windowRungs_) < maxK_
-     && exceeds(K(windowRungs_)/eos_.KFactor())
-    )
-    {
-        ++windowRungs_;
-    }
+    look();
     const bool closed = time - windowStart_ >= windowLength();
-    const bool needed = windowRungs_ > 0 || (closed && windowRungs_ < -1);
-    if (needed)
-    {
-        change(K(windowRungs_));
-        windowRungs_ = 0;
-    }
+    const bool moved = move(closed);
     if (closed)
     {
-        openWindow(time);
+        openWindow(time, minK_);
     }
-    return needed;
+    return moved;
 }
 
-bool SoundSpeed::exceeds(const scalar load) const
+void SoundSpeed::checkRise() const
 {
-    const label n = particles_.granular().end;
-    const scalar* Ux = particles_.U.x.data();
-    const scalar* Uy = particles_.U.y.data();
-    const scalar* p = particles_.p.data();
-    const scalar USqr = load/eos_.rho0();
-    label fast = 0, pressed = 0;
-    #pragma omp parallel for simd schedule(static) reduction(+: fast, pressed)
-    for (label i = 0; i < n; ++i)
+    if (burden_.exceeds(eos_.K()/eos_.KFactor()))
     {
-        fast += Ux[i]*Ux[i] + Uy[i]*Uy[i] > USqr;
-        pressed += p[i] > load;
+        std::ostringstream os;
+        os  << "The start needs more than " << maxRise << " times the bulk"
+            << " modulus of the equation of state,\nwhich adaptive yes does"
+            << " not give it. Give a greater H: the material is "
+            << burden_.height() << " m high.";
+        throw Error(os.str());
     }
-    const label few = std::max(4, n/200);
-    return fast > few || (pressed > few && weight() > load);
 }
 
-scalar SoundSpeed::weight() const
+void SoundSpeed::checkStrain(const scalar stateK) const
 {
-    const label n = particles_.granular().end;
-    const scalar* x = particles_.r.x.data();
-    const scalar* y = particles_.r.y.data();
-    const scalar gx = g_.x(), gy = g_.y();
-    scalar highest = g_.dot(particles_.r[0]), lowest = highest;
-    #pragma omp parallel for simd schedule(static) \
-        reduction(min: highest) reduction(max: lowest)
-    for (label i = 0; i < n; ++i)
+    const scalar p = burden_.greatestPressure();
+    if (p > eos_.K())
     {
-        const scalar depth = gx*x[i] + gy*y[i];
-        highest = depth < highest ? depth : highest;
-        lowest = depth > lowest ? depth : lowest;
+        std::ostringstream os;
+        os  << "The pressures of the start, up to " << p << " Pa, belong to a"
+            << " bulk modulus of " << stateK << " Pa\nand exceed the present"
+            << " one, " << eos_.K() << " Pa. Run setParticles again, or mend"
+            << " K, or\nKFactor and H, of the equation of state.";
+        throw Error(os.str());
     }
-    return eos_.rho0()*(lowest - highest + g_.norm()*particles_.spacing());
 }
 
-void SoundSpeed::change(const scalar K)
+void SoundSpeed::start(const std::filesystem::path& timeFolder)
 {
-    const scalar before = eos_.c();
+    const scalar K = eos_.K();
+    const auto state = BulkModulusState::read(timeFolder);
+    const scalar stateK = state ? state->K : K;
+    eos_.setK(stateK);
+    checkPressures(eos_, particles_, burden_.greatestPressure());
     eos_.correct(particles_.granular(), particles_.rho, particles_.p);
-    eos_.setK(K);
-    for
-    (
-        const ParticleRange& range :
-        {particles_.granular(), particles_.walls()}
-    )
+    if (stateK != K)
     {
-        const bool granular = range.begin == particles_.granular().begin;
-        #pragma omp parallel for schedule(static)
-        for (label i = range.begin; i < range.end; ++i)
-        {
-            if (particles_.p[i] > 0)
-            {
-                particles_.rho[i] = eos_.density(particles_.p[i]);
-            }
-            particles_.V[i] = particles_.m[i]/particles_.rho[i];
-            particles_.Vg[i] = granular ? particles_.V[i] : 0;
-        }
+        change(K);
     }
-    std::cout << "Sound speed " << before << " -> " << eos_.c() << " m/s";
     if (eos_.adaptive())
     {
-        const scalar U = eos_.c()/std::sqrt(eos_.KFactor());
-        std::cout << " (for speeds up to " << U
-            << " m/s and pressure heads up to " << U*U/g_.norm() << " m)";
+        const scalar atRest = eos_.KFactor()*burden_.weight();
+        openWindow(windowStart_, std::max(minK_, atRest));
+        look();
+        move(true);
+        checkRise();
+        openWindow(windowStart_, minK_);
     }
-    std::cout << '\n';
-}
-
-static std::filesystem::path fileOf(const std::filesystem::path& timeFolder)
-{
-    return timeFolder/"uniform"/"equationOfState";
-}
-
-static void writeEntries
-(
-    const std::filesystem::path& timeFolder,
-    const std::map<word, scalar>& entries
-)
-{
-    writeFile
-    (
-        fileOf(timeFolder),
-        [&](std::ostream& os)
-        {
-            os  << std::setprecision(17)
-                << "FoamFile\n{\n"
-                << "    version     2.0;\n"
-                << "    format      ascii;\n"
-                << "    class       dictionary;\n"
-                << "    location    \""
-                << timeFolder.filename().string() << "/uniform\";\n"
-                << "    object      equationOfState;\n"
-                << "}\n";
-            for (const auto& [key, value] : entries)
-            {
-                os  << '\n' << std::left << std::setw(16) << key
-                    << value << ";\n";
-            }
-        }
-    );
+    if (eos_.K() != stateK)
+    {
+        checkStrain(stateK);
+    }
 }
 
 void SoundSpeed::read(const std::filesystem::path& timeFolder)
 {
-    const std::filesystem::path file = fileOf(timeFolder);
-    if (!std::filesystem::exists(file))
+    const auto state = BulkModulusState::read(timeFolder);
+    if (!state)
     {
         return;
     }
-    const dictionary dict = dictionary::fromFile(file);
     const scalar K = eos_.K();
-    eos_.setK(dict.get("K", dimPressure, Range::positive()));
+    eos_.setK(state->K);
     if (!eos_.adaptive())
     {
         if (eos_.K() != K)
@@ -204,42 +169,22 @@ void SoundSpeed::read(const std::filesystem::path& timeFolder)
         }
         return;
     }
-    openWindow(windowStart_);
-    windowStart_ = dict.getOrDefault("windowStart", windowStart_, dimTime);
-    windowRungs_ = label
-    (
-        dict.getOrDefault
-        (
-            "windowRungs", windowRungs_, dimless,
-            Range::between(-mostRungsDown, 0)
-        )
-    );
+    openWindow(windowStart_, minK_);
+    if (state->window)
+    {
+        windowStart_ = state->window->start;
+        windowRungs_ = state->window->rungs;
+    }
 }
 
 void SoundSpeed::write(const std::filesystem::path& timeFolder) const
 {
-    if (!eos_.adaptive())
+    BulkModulusState state{eos_.K()};
+    if (eos_.adaptive())
     {
-        write(timeFolder, eos_.K());
-        return;
+        state.window = {windowStart_, windowRungs_};
     }
-    writeEntries
-    (
-        timeFolder,
-        {
-            {"K", eos_.K()},
-            {"windowStart", windowStart_},
-            {"windowRungs", windowRungs_}
-        }
-    );
-}
-
-void SoundSpeed::write
-(
-    const std::filesystem::path& timeFolder, const scalar K
-)
-{
-    writeEntries(timeFolder, {{"K", K}});
+    state.write(timeFolder);
 }
 
 } // namespace sph

@@ -1,5 +1,6 @@
 #include "setup/hydrostatic.H"
 
+#include <algorithm>
 #include <iostream>
 
 namespace sph
@@ -48,10 +49,32 @@ static vector readSurfaceNormal(const dictionary& dict, const vector& g)
     return up.normalized();
 }
 
-void setHydrostatic
+// Depth of every granular particle below the free surface [m]
+static scalarField depths
 (
-    const dictionary& dict, const vector& g,
-    const EquationOfState& equationOfState,
+    const std::vector<RegionParticles>& regions, const Particles& particles,
+    const vector& up
+)
+{
+    std::vector<const Region*> shapes;
+    for (const RegionParticles& region : regions)
+    {
+        shapes.push_back(region.region.get());
+    }
+    scalarField z(particles.granular().end);
+    for (label i = 0; i < particles.granular().end; ++i)
+    {
+        z[i] = distanceToBorder
+        (
+            shapes, particles.r[i], up, 0.5*particles.spacing()
+        );
+    }
+    return z;
+}
+
+bool setHydrostatic
+(
+    const dictionary& dict, const vector& g, EquationOfState& equationOfState,
     const std::vector<RegionParticles>& regions, Particles& particles
 )
 {
@@ -59,30 +82,29 @@ void setHydrostatic
     {
         dict.markUsed("surfaceNormal");
         std::cout << "\nDensity rho0 everywhere\n";
-        return;
+        return false;
     }
     const vector up = readSurfaceNormal(dict, g);
     const scalar gn = -g.dot(up);
-
-    std::vector<const Region*> shapes;
-    for (const RegionParticles& region : regions)
+    const scalarField z = depths(regions, particles, up);
+    if (equationOfState.adaptive())
     {
-        shapes.push_back(region.region.get());
+        const scalar deepest = *std::max_element(z.begin(), z.end());
+        const scalar needed =
+            equationOfState.KFactor()*equationOfState.rho0()*gn*deepest;
+        equationOfState.setK(std::max(equationOfState.K(), needed));
     }
-    scalar deepest = 0;
-    const ParticleRange granular = particles.granular();
-    for (label i = granular.begin; i < granular.end; ++i)
+
+    scalar greatest = 0;
+    for (label i = 0; i < particles.granular().end; ++i)
     {
-        const scalar z = distanceToBorder
-        (
-            shapes, particles.r[i], up, 0.5*particles.spacing()
-        );
-        const scalar p = hydrostaticPressure(equationOfState, gn, z);
+        const scalar p = hydrostaticPressure(equationOfState, gn, z[i]);
         particles.rho[i] = equationOfState.density(p);
-        deepest = std::max(deepest, p);
+        greatest = std::max(greatest, p);
     }
     std::cout
-        << "\nHydrostatic density, pressure up to " << deepest << " Pa\n";
+        << "\nHydrostatic density, pressure up to " << greatest << " Pa\n";
+    return true;
 }
 
 void correctVolumeAndPressure

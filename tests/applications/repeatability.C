@@ -93,21 +93,22 @@ TEST(repeatability, restartBitForBitFromAscii)
     expectRestartIsExact(where);
 }
 
-// K falls once before the first write and once after
+// K falls at the start, and once more when the window closes that is open when
+// the state is written
 TEST(repeatability, restartBitForBitWithASoundSpeedThatFollows)
 {
     const AppCase where;
     where.replace
     (
         "constant/granularProperties", "\n +KFactor [^;]*;",
-        "\nadaptive yes; KFactor 5000;"
+        "\nadaptive yes; KFactor 4000;"
     );
     where.replace
     (
         "constant/granularProperties", "\\] 0.08748;", "] 0.2;"
     );
     expectRestartIsExact(where);
-    const scalar start = 5000*1612*9.81*0.2;
+    const scalar start = 4000*1612*9.81*0.2;
     const scalar half = dictionary::fromFile
     (
         where.dir()/"0.01"/"uniform"/"equationOfState"
@@ -168,14 +169,6 @@ TEST(repeatability, restartBitForBitWithAGate)
     const Outcome outcome = where.run("granularFoamSPH");
     EXPECT_EQ(outcome.code, 1);
     EXPECT_TRUE(says(outcome, "Run setParticles again"));
-}
-
-TEST(repeatability, newParticlesBelongToTheEntries)
-{
-    const AppCase where;
-    where.write("0/uniform/equationOfState", "K 1;");
-    where.succeed("setParticles");
-    EXPECT_FALSE(where.has("0/uniform"));
 }
 
 TEST(repeatability, threadsDoNotChangeTheResult)

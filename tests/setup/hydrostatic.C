@@ -23,13 +23,18 @@ std::unique_ptr<EquationOfState> law(const std::string& text)
 // Particles of a setParticlesDict at hydrostatic density
 struct Column
 {
-    std::unique_ptr<EquationOfState> equationOfState =
-        law("equationOfState linear; K 2e5;");
+    std::unique_ptr<EquationOfState> equationOfState;
     dictionary dict;
     Particles particles;
+    bool rhoOfK;
 
-    explicit Column(const std::string& text, const vector& gravity = g)
+    explicit Column
+    (
+        const std::string& text, const vector& gravity = g,
+        const std::string& entries = "K 2e5;"
+    )
     :
+        equationOfState(law("equationOfState linear;" + entries)),
         dict(dictionary::fromString(text, "setParticlesDict"))
     {
         const Lattice lattice(dict);
@@ -40,7 +45,10 @@ struct Column
             regions, Boundaries(dictionary(), lattice.spacing()), rho0,
             particles
         );
-        setHydrostatic(dict, gravity, *equationOfState, regions, particles);
+        rhoOfK = setHydrostatic
+        (
+            dict, gravity, *equationOfState, regions, particles
+        );
     }
 
     label n() const { return particles.granular().size(); }
@@ -186,11 +194,33 @@ TEST(Hydrostatic, canBeSwitchedOff)
 {
     const Column off(box + "hydrostatic no;");
     const Column weightless(box, vector::Zero());
+    EXPECT_FALSE(off.rhoOfK);
+    EXPECT_FALSE(weightless.rhoOfK);
     for (label i = 0; i < off.n(); ++i)
     {
         EXPECT_EQ(off.particles.rho[i], rho0);
         EXPECT_EQ(weightless.particles.rho[i], rho0);
     }
+}
+
+TEST(Hydrostatic, aKThatFollowsBearsTheColumn)
+{
+    const scalar K = 100*rho0*9.81*2;
+    for (const char* height : {"1e-6", "1", "2", "40"})
+    {
+        const Column column
+        (
+            box, g, std::string("adaptive yes; H ") + height + ';'
+        );
+        EXPECT_TRUE(column.rhoOfK);
+        EXPECT_GE(column.equationOfState->K(), 0.97*K);
+        EXPECT_NEAR(column.p(0), rho0*9.81*1.975, 200);
+    }
+    EXPECT_NEAR
+    (
+        Column(box, g, "adaptive yes; H 40;").equationOfState->K(), 20*K, 1
+    );
+    EXPECT_NEAR(Column(box, g, "H 1;").equationOfState->K(), 0.5*K, 1);
 }
 
 TEST(Hydrostatic, aSurfaceThatFacesDownIsRefused)
