@@ -19,8 +19,7 @@ public:
 
     void begin(Particles& particles, const scalar deltaT) override
     {
-        kick(particles, deltaT);
-        drift(particles, deltaT);
+        kickAndDrift(particles, deltaT, deltaT);
     }
 
     void end(Particles&, scalar) override {}

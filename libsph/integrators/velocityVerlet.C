@@ -22,8 +22,7 @@ public:
 
     void begin(Particles& particles, const scalar deltaT) override
     {
-        kick(particles, 0.5*deltaT);
-        drift(particles, deltaT);
+        kickAndDrift(particles, 0.5*deltaT, deltaT);
     }
 
     void end(Particles& particles, const scalar deltaT) override

@@ -1,5 +1,7 @@
 #include "pairs/DisplacementGauge.H"
 
+#include "particles/worthATeam.H"
+
 #include <algorithm>
 #include <limits>
 
@@ -45,7 +47,8 @@ scalar DisplacementGauge::maxSizeSqr(const vectorField& r) const
     scalar largest = 0;
     for (const ParticleRange& range : ranges_)
     {
-        #pragma omp parallel for simd schedule(static) reduction(max: largest)
+        #pragma omp parallel for simd schedule(static) reduction(max: largest) \
+            if(parallel: worthATeam(range.size()))
         for (label i = range.begin; i < range.end; ++i)
         {
             const scalar dx = rx[i] - bx[i], dy = ry[i] - by[i];

@@ -1,5 +1,7 @@
 #include "scheme/Images.H"
 
+#include "particles/worthATeam.H"
+
 namespace sph
 {
 
@@ -124,9 +126,8 @@ void Images::refresh(const FieldInfo& info)
 
 void Images::refresh(const std::vector<const FieldInfo*>& fields)
 {
-    // Not worth a team of threads below
-    constexpr std::size_t few = 200;
-    #pragma omp parallel for schedule(dynamic) if(images_.size() > few)
+    #pragma omp parallel for schedule(dynamic) \
+        if(worthATeam(label(images_.size())))
     for (std::size_t k = 0; k < fields.size(); ++k)
     {
         refresh(*fields[k]);

@@ -1,5 +1,7 @@
 #include "scheme/Scheme.H"
 
+#include "particles/worthATeam.H"
+
 #include <algorithm>
 #include <iostream>
 
@@ -193,12 +195,15 @@ void Scheme::continuity(const scalar deltaT)
     scalar* rho = particles_.rho.data();
     const scalar* div = particles_.div.data();
     const scalar* rhoDot = particles_.rhoDot.data();
+    scalar* V = particles_.V.data();
+    scalar* Vg = particles_.Vg.data();
+    const scalar* m = particles_.m.data();
     #pragma omp parallel for simd schedule(static)
     for (label i = 0; i < n; ++i)
     {
         rho[i] += deltaT*(rhoDot[i] - rho[i]*div[i]);
+        V[i] = Vg[i] = m[i]/rho[i];
     }
-    setVolumes(particles_.awake());
 }
 
 void Scheme::pressure()
@@ -218,7 +223,7 @@ void Scheme::setStress(const ParticleRange& range)
 {
     using namespace of;
     const scalar shear = viscousScheme_->stressCarriesShear() ? 1 : 0;
-    #pragma omp parallel for schedule(static)
+    #pragma omp parallel for schedule(static) if(worthATeam(range.size()))
     for
     (
         label first = range.begin; first < range.end; first += width<lanes>
