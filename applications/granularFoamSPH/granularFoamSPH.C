@@ -57,6 +57,7 @@ int main(int argc, char* argv[])
         );
         if (args.found("listModels"))
         {
+            loadLibrariesOfCase(args.casePath());
             listModels(std::cout);
             return 0;
         }

@@ -2,6 +2,8 @@
 
 #include "primitives/error.H"
 
+#include <dlfcn.h>
+
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -38,11 +40,20 @@ std::filesystem::path etcFolder()
     {
         return std::filesystem::path(project)/"etc";
     }
-#ifdef SPH_ETC_DIR
+    Dl_info library;
+    static const char here = 0;
+    if (dladdr(&here, &library))
+    {
+        const std::filesystem::path installed =
+            std::filesystem::path(library.dli_fname).parent_path()
+           /SPH_ETC_FROM_LIB;
+        std::error_code ignored;
+        if (std::filesystem::is_directory(installed, ignored))
+        {
+            return installed.lexically_normal();
+        }
+    }
     return SPH_ETC_DIR;
-#else
-    return {};
-#endif
 }
 
 } // namespace sph

@@ -220,6 +220,11 @@ const word& CommandLine::application() const
     return data_->application;
 }
 
+std::filesystem::path CommandLine::casePath() const
+{
+    return data_->caseDir();
+}
+
 std::filesystem::path CommandLine::caseDir() const
 {
     const std::filesystem::path dir = data_->caseDir();

@@ -33,4 +33,14 @@ void loadLibraries
     SelectionTables::checkUnique();
 }
 
+void loadLibrariesOfCase(const std::filesystem::path& caseDir)
+{
+    const std::filesystem::path file = caseDir/"system"/"controlDict";
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored))
+    {
+        loadLibraries(dictionary::fromFile(file), caseDir);
+    }
+}
+
 } // namespace sph
