@@ -7,6 +7,7 @@
 #include "functionObjects/FunctionObject.H"
 #include "integrators/Integrator.H"
 #include "io/caseIO.H"
+#include "runTime/CaseLock.H"
 #include "runTime/CommandLine.H"
 #include "runTime/Time.H"
 #include "scheme/Guard.H"
@@ -64,6 +65,7 @@ int main(int argc, char* argv[])
         args.printBanner();
 
         const fs::path caseDir = args.caseDir();
+        const CaseLock lock(caseDir);
         Time runTime(caseDir);
         loadLibraries(runTime.controlDict(), caseDir);
         const dictionary properties =

@@ -6,6 +6,7 @@
 //         hydrostatic start, <startTime>/uniform/equationOfState
 
 #include "io/caseIO.H"
+#include "runTime/CaseLock.H"
 #include "runTime/TimeControls.H"
 #include "scheme/BulkModulusState.H"
 #include "selection/Libraries.H"
@@ -34,6 +35,7 @@ static int setParticles(int argc, char* argv[])
         }
     );
     const fs::path caseDir = args.caseDir();
+    const CaseLock lock(caseDir);
     const fs::path constant = caseDir/"constant";
     args.printBanner();
 

@@ -1,45 +1,12 @@
 // The same case gives the same bytes: after a restart, and on any number of
 // threads.
-#include "applications/AppCase.H"
+#include "applications/StateFiles.H"
 #include "io/caseIO.H"
 
 using namespace sph;
 
 namespace
 {
-
-const wordList stateFiles
-{
-    "granular.vtp", "walls.vtp", "uniform/time", "uniform/equationOfState"
-};
-
-// The files of a time, which must be there
-std::map<word, std::string> stateOf(const AppCase& where, const word& time)
-{
-    std::map<word, std::string> state;
-    for (const word& file : stateFiles)
-    {
-        EXPECT_TRUE(where.has(time + '/' + file)) << time << '/' << file;
-        state[file] = where.text(time + '/' + file);
-    }
-    if (where.has(time + "/uniform/sleep"))
-    {
-        state["uniform/sleep"] = where.text(time + "/uniform/sleep");
-    }
-    return state;
-}
-
-void expectSame
-(
-    const std::map<word, std::string>& a, const std::map<word, std::string>& b
-)
-{
-    ASSERT_EQ(a.size(), b.size());
-    for (const auto& [file, text] : a)
-    {
-        EXPECT_TRUE(text == b.at(file)) << file;
-    }
-}
 
 void expectRestartIsExact
 (

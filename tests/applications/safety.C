@@ -1,64 +1,13 @@
 // A run that goes wrong, and a run that somebody ends: the state is there.
-#include "applications/AppCase.H"
+#include "applications/Running.H"
 
 #include <chrono>
-#include <csignal>
 #include <thread>
 
 using namespace sph;
 
 namespace
 {
-
-// granularFoamSPH in the background, its output in the file log
-class Running
-{
-    ::pid_t pid_;
-    bool ended_ = false;
-
-public:
-    explicit Running(const AppCase& where)
-    :
-        pid_(::fork())
-    {
-        if (pid_ == 0)
-        {
-            const std::string log = (where.dir()/"log").string();
-            if (!std::freopen(log.c_str(), "w", stdout))
-            {
-                ::_exit(2);
-            }
-            const std::string app = SPH_BIN_DIR "/granularFoamSPH";
-            const std::string dir = where.dir().string();
-            ::execl
-            (
-                app.c_str(), app.c_str(), "-case", dir.c_str(),
-                static_cast<char*>(nullptr)
-            );
-            ::_exit(2);
-        }
-    }
-
-    ~Running()
-    {
-        if (!ended_)
-        {
-            signal(SIGKILL);
-            wait();
-        }
-    }
-
-    void signal(const int number) const { ::kill(pid_, number); }
-
-    // Exit code, or -1 if a signal ended it
-    int wait()
-    {
-        int status = 0;
-        ::waitpid(pid_, &status, 0);
-        ended_ = true;
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
-};
 
 // Whether a condition becomes true within 20 s
 bool becomes(const std::function<bool()>& condition)
@@ -142,6 +91,22 @@ TEST(safety, writeNowInTheRunningCase)
     EXPECT_EQ(run.wait(), 0);
     EXPECT_EQ(Time::findTimes(where.dir()).size(), 2u);
     expectGoesOn(where);
+}
+
+TEST(safety, oneRunAtATimeInACase)
+{
+    const AppCase where;
+    runForever(where);
+    const Running run(where);
+    EXPECT_TRUE(becomes([&] { return stepped(where); }));
+    for (const char* application : {"granularFoamSPH", "setParticles"})
+    {
+        const Outcome second = where.run(application);
+        EXPECT_EQ(second.code, 1);
+        EXPECT_TRUE(says(second, "Another program is running in the case"));
+        EXPECT_TRUE(says(second, where.dir().string()));
+    }
+    where.succeed("postRunout");
 }
 
 TEST(safety, killedRunLeavesNoHalfState)
