@@ -63,7 +63,9 @@ def show(options):
     bar.ComponentTitle = "Magnitude" if \
         particles.PointData[options.field].GetNumberOfComponents() > 1 else ""
     bar.Orientation = "Horizontal"
-    bar.WindowLocation = "Lower Center"
+    bar.WindowLocation = "Any Location"
+    bar.Position = [0.3, 0.06]
+    bar.ScalarBarLength = 0.4
     bar.TitleColor = bar.LabelColor = [0, 0, 0]
     display.SetScalarBarVisibility(view, True)
 
