@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+# The particles of a case as discs of the particle diameter, in ParaView.
+#
+#     paraSPH -case myCase -field p -latestTime -output p.png
+#
+# Opens VTK/<case>.vtp.series and VTK/<case>Walls.vtp.series. Where there is no
+# display, xvfb-run lends one.
+# Options and files are checked before pvpython (ParaView 5.11) draws.
+import argparse
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+
+class CaseError(Exception):
+    """What is wrong with the case or an option, for the user to read."""
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser(
+        prog="paraSPH", add_help=False, allow_abbrev=False,
+        description="Pictures of the particles of a case, by ParaView")
+    parser.add_argument("-help", action="help", help="list the options")
+    parser.add_argument("-case", default=".", metavar="dir",
+                        help="case folder (default: the present one)")
+    parser.add_argument("-field", default="U", metavar="name",
+                        help="field that gives the colour (default: U); a "
+                             "vector or tensor by its magnitude")
+    which = parser.add_mutually_exclusive_group()
+    which.add_argument("-time", type=float, metavar="t",
+                       help="only the time nearest to t [s]")
+    which.add_argument("-latestTime", action="store_true",
+                       help="only the latest time")
+    parser.add_argument("-range", type=float, nargs=2,
+                        metavar=("min", "max"),
+                        help="values at the ends of the colour bar (default: "
+                             "those of the times drawn)")
+    parser.add_argument("-output", metavar="file.png",
+                        help="picture (default: <field>.png); for several "
+                             "times file.0000.png, file.0001.png, ...")
+    parser.add_argument("-size", type=int, nargs=2, default=[1200, 600],
+                        metavar=("width", "height"), help="in pixels")
+    options = parser.parse_args(arguments)
+    options.output = options.output or options.field + ".png"
+    if not options.output.endswith(".png"):
+        parser.error("-output: the name must end in .png: " + options.output)
+    if options.range and not options.range[0] < options.range[1]:
+        parser.error("-range: min must be less than max")
+    if min(options.size) < 1:
+        parser.error("-size: width and height must be greater than 0")
+    return options
+
+
+def findSeries(case):
+    """The series of the particles, and that of the walls or None."""
+    case = os.path.abspath(case)
+    stem = os.path.join(case, "VTK", os.path.basename(case))
+    series, walls = stem + ".vtp.series", stem + "Walls.vtp.series"
+    if not os.path.isfile(series):
+        raise CaseError("No series " + series + "\n    Has setParticles or "
+                        "granularFoamSPH run, in a folder of this name?")
+    return series, walls if os.path.isfile(walls) else None
+
+
+def readSeries(series):
+    """List of (time [s], file), in the order of the series."""
+    try:
+        with open(series) as stream:
+            members = json.load(stream)["files"]
+        times = [(float(member["time"]),
+                  os.path.join(os.path.dirname(series), member["name"]))
+                 for member in members]
+    except (ValueError, KeyError, TypeError) as error:
+        raise CaseError("Cannot read " + series + ": " + str(error))
+    if not times:
+        raise CaseError("No times in " + series)
+    return times
+
+
+def readHeader(file):
+    """Names of the point fields, and the spacing [m], of a written time."""
+    try:
+        with open(file, "rb") as stream:
+            text = stream.read(65536).decode("latin-1")
+    except OSError as error:
+        raise CaseError("Cannot read " + file + ": " + error.strerror)
+    points = re.search(r"<PointData.*?</PointData>", text, re.S)
+    fields = re.findall(r'\sName="([^"]*)"', points.group(0) if points else "")
+    spacing = re.search(r'Name="spacing"[^>]*RangeMin="([^"]*)"', text)
+    if not spacing:
+        raise CaseError("No field data spacing in " + file)
+    return fields, float(spacing.group(1))
+
+
+def selectTimes(times, options):
+    """The times of the series that are to be drawn [s]."""
+    values = [time for time, _ in times]
+    if options.latestTime:
+        return values[-1:]
+    if options.time is not None:
+        return [min(values, key=lambda time: abs(time - options.time))]
+    return values
+
+
+def checkField(field, fields, file):
+    if field not in fields:
+        raise CaseError("No field " + field + " in " + file
+                        + "\n    Valid fields: " + " ".join(sorted(fields)))
+
+
+def display():
+    """What to put before a command so that it finds an X server."""
+    if os.environ.get("DISPLAY"):
+        return []
+    if not shutil.which("xvfb-run"):
+        raise CaseError("No display, and no xvfb-run: install xvfb and xauth")
+    return ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24"]
+
+
+def main(arguments):
+    options = parse(arguments)
+    series, walls = findSeries(options.case)
+    times = readSeries(series)
+    chosen = selectTimes(times, options)
+    file = dict(times)[chosen[-1]]
+    fields, spacing = readHeader(file)
+    checkField(options.field, fields, file)
+    if not shutil.which("pvpython"):
+        raise CaseError("No pvpython: install paraview and python3-paraview")
+    # As one word: pvpython would take options with one dash for its own
+    task = json.dumps(dict(series=series, walls=walls, radius=spacing / 2,
+                           times=chosen, field=options.field,
+                           range=options.range, output=options.output,
+                           size=options.size))
+    view = os.path.join(os.path.dirname(os.path.realpath(__file__)),
+                        "particleView.py")
+    return subprocess.run(display() + ["pvpython", view, task]).returncode
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except CaseError as error:
+        sys.exit("paraSPH: " + str(error))
