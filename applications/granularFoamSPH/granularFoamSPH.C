@@ -3,10 +3,13 @@
 // One step, after Salehizadeh & Shafiei, Granular Matter 21:32 (2019), whose
 // equation numbers stand at the calls.
 
+#include "estimate.H"
+
 #include "boundaries/Boundaries.H"
 #include "functionObjects/FunctionObject.H"
 #include "integrators/Integrator.H"
 #include "io/caseIO.H"
+#include "io/settings.H"
 #include "runTime/CaseLock.H"
 #include "runTime/CommandLine.H"
 #include "runTime/Time.H"
@@ -52,6 +55,10 @@ int main(int argc, char* argv[])
         (
             argc, argv, "Flow of dry granular material by SPH",
             {
+                {
+                    "dry-run", "",
+                    "check the case, print settings and estimates, and exit"
+                },
                 {"listModels", "", "list every selection table and exit"},
                 {"noFunctionObjects", "", "do not execute function objects"}
             }
@@ -76,7 +83,9 @@ int main(int argc, char* argv[])
             dictionary::fromFile(caseDir/"system"/"sphSchemes");
         const dictionary solution =
             dictionary::fromFile(caseDir/"system"/"sphSolution");
-        const vector g = readGravity(caseDir);
+        const dictionary gravity =
+            dictionary::fromFile(caseDir/"constant"/"g");
+        const vector g = readGravity(gravity);
 
         Particles particles;
         const bool complete = readState(runTime.timePath(), particles);
@@ -135,24 +144,21 @@ int main(int argc, char* argv[])
         {
             dict->refuseUnused();
         }
-
-        if (!restart)
+        const std::vector<Setting> settings
         {
-            scheme.initialise();
-        }
-        guard.keep(particles, runTime.value());
-        functions.execute(runTime, true);
+            {"constant/granularProperties", properties},
+            {"constant/boundary", boundary},
+            {"constant/g", gravity},
+            {"system/sphSchemes", schemes},
+            {"system/sphSolution", solution},
+            {"system/controlDict", runTime.controlDict()}
+        };
 
-        std::cout << "\nStarting time loop: "
-            << particles.granular().size() << " granular and "
-            << particles.walls().size() << " wall particles\n" << std::endl;
         label netHits = 0;
-        while (runTime.loop(timeStep.stable(particles)))
+        const auto step = [&](const scalar time, const scalar dt)
         {
-            const scalar dt = runTime.deltaT();
-
             integrator->begin(particles, dt);       // (27)-(28)
-            boundaries.moveTo(runTime.value(), particles);
+            boundaries.moveTo(time, particles);
             netHits += boundaries.net(particles);
             sleep.update(dt, runTime.index());
             scheme.updatePairs();
@@ -164,10 +170,41 @@ int main(int argc, char* argv[])
             scheme.extrapolateStress();             // (24)-(26)
             scheme.forces(dt);                      // (14)-(20), (31)-(32)
             integrator->end(particles, dt);
-            if (soundSpeed.follow(runTime.value())) // K, and rho for p
+            if (soundSpeed.follow(time))            // K, and rho for p
             {
                 scheme.neighbourhood().reset();
             }
+        };
+
+        if (!restart)
+        {
+            scheme.initialise();
+        }
+        guard.keep(particles, runTime.value());
+        if (args.found("dry-run"))
+        {
+            printSettings(std::cout, settings);
+            if (runTime.run())
+            {
+                runTime.setDeltaT(timeStep.stable(particles));
+            }
+            printEstimate(runTime, particles, timeStep, step);
+            std::cout << "\nEnd\n" << std::endl;
+            return 0;
+        }
+        writeSettings
+        (
+            caseDir/"effective"/runTime.startTimeName(), settings
+        );
+        functions.execute(runTime, true);
+
+        std::cout << "\nStarting time loop: "
+            << particles.granular().size() << " granular and "
+            << particles.walls().size() << " wall particles\n" << std::endl;
+        while (runTime.loop(timeStep.stable(particles)))
+        {
+            const scalar dt = runTime.deltaT();
+            step(runTime.value(), dt);
 
             timeStep.printCourant(particles, dt);
             std::cout << "Pair lists rebuilt: "

@@ -4,13 +4,15 @@
 #     paraSPH -case myCase -field p -latestTime -output p.png
 #
 # Opens VTK/<case>.vtp.series and VTK/<case>Walls.vtp.series. Where there is no
-# display, xvfb-run lends one.
+# display, it starts Xvfb.
 # Options and files are checked before pvpython (ParaView 5.11) draws.
 import argparse
+import contextlib
 import json
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 
@@ -111,13 +113,29 @@ def checkField(field, fields, file):
                         + "\n    Valid fields: " + " ".join(sorted(fields)))
 
 
+@contextlib.contextmanager
 def display():
-    """What to put before a command so that it finds an X server."""
+    """The environment with an X server in it, one of our own if need be."""
     if os.environ.get("DISPLAY"):
-        return []
-    if not shutil.which("xvfb-run"):
-        raise CaseError("No display, and no xvfb-run: install xvfb and xauth")
-    return ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24"]
+        yield os.environ
+        return
+    if not shutil.which("Xvfb"):
+        raise CaseError("No display, and no Xvfb: install xvfb")
+    # Says the number of its display once it is ready
+    ready, say = os.pipe()
+    server = subprocess.Popen(
+        ["Xvfb", "-displayfd", str(say), "-screen", "0", "1280x1024x24",
+         "-nolisten", "tcp"], pass_fds=[say], stderr=subprocess.DEVNULL)
+    os.close(say)
+    try:
+        with open(ready) as stream:
+            number = stream.readline().strip()
+        if not number:
+            raise CaseError("Xvfb does not start")
+        yield dict(os.environ, DISPLAY=":" + number)
+    finally:
+        server.terminate()
+        server.wait()
 
 
 def main(arguments):
@@ -137,7 +155,14 @@ def main(arguments):
                            size=options.size))
     view = os.path.join(os.path.dirname(os.path.realpath(__file__)),
                         "particleView.py")
-    return subprocess.run(display() + ["pvpython", view, task]).returncode
+    # pvpython 5.11 now and then loses a new X server, and aborts
+    for attempt in range(3):
+        with display() as environment:
+            code = subprocess.run(["pvpython", view, task],
+                                  env=environment).returncode
+        if code not in (-signal.SIGABRT, 128 + signal.SIGABRT):
+            break
+    return code
 
 
 if __name__ == "__main__":

@@ -61,6 +61,10 @@ void dictionary::Contents::write
 
     for (const auto& entry : entries)
     {
+        if (withDefaults && entry->expanded && !entry->used)
+        {
+            continue;
+        }
         if (entry->dict)
         {
             writeBlock(entry->keywordText(), *entry->dict);

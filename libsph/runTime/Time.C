@@ -2,6 +2,7 @@
 
 #include "runTime/log.H"
 
+#include <algorithm>
 #include <iostream>
 
 namespace sph
@@ -149,6 +150,14 @@ void Time::setDeltaT(const scalar stable)
     d.state.deltaTLimit = d.limitedDeltaT(stable);
     d.state.deltaT = d.shortenedDeltaT(d.state.deltaTLimit);
     std::cout << "deltaT = " << d.state.deltaT << '\n';
+}
+
+scalar Time::grownDeltaT(const scalar stable) const
+{
+    const TimeControls& controls = data_->controls;
+    return controls.adjustTimeStep
+      ? std::min(controls.maxCo*stable, controls.maxDeltaT)
+      : controls.deltaT;
 }
 
 void Time::advance()

@@ -1,7 +1,5 @@
 #include "setup/readGravity.H"
 
-#include "dictionary/dictionary.H"
-
 namespace sph
 {
 
@@ -27,12 +25,16 @@ static scalar readUnit(const dictionary& dict)
     }
 }
 
-vector readGravity(const std::filesystem::path& caseDir)
+vector readGravity(const dictionary& dict)
 {
-    const dictionary dict = dictionary::fromFile(caseDir/"constant"/"g");
     const vector g = readUnit(dict)*dict.get<vector>("value");
     dict.refuseUnused();
     return g;
+}
+
+vector readGravity(const std::filesystem::path& caseDir)
+{
+    return readGravity(dictionary::fromFile(caseDir/"constant"/"g"));
 }
 
 } // namespace sph

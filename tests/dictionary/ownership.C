@@ -54,6 +54,7 @@ TEST(DictionaryEffective, readsBackToTheSameValues)
         "list ( one { a 1; b (1 2 3); s { c 1; } } { x \"q\"; f; } );\n"
         "\"w.*\" { k 1; } empty { } big 12345678901; v 1.0;"
     );
+    EXPECT_EQ(dict.get<scalar>("h"), 0.1/3);
     std::ostringstream os;
     dict.writeEffective(os);
     const auto again = dictionary::fromString(os.str(), "FILE");
@@ -85,6 +86,20 @@ TEST(DictionaryText, isThatOfTheMeaning)
     EXPECT_NE(dict.text(), parse("").text());
     // Nothing has been read
     EXPECT_THROW(dict.refuseUnused(), IOError);
+}
+
+// Nobody reads it: a run with it would refuse it
+TEST(DictionaryEffective, leavesOutWhatOnlyServedMacros)
+{
+    const auto dict = parse("h 2; a $h; s { k 3; b $k; }");
+    dict.get<label>("a");
+    dict.subDict("s").get<label>("b");
+    std::ostringstream os;
+    dict.writeEffective(os);
+    const auto again = parse(os.str());
+    EXPECT_EQ(again.toc(), (wordList{"a", "s"}));
+    EXPECT_EQ(again.subDict("s").toc(), (wordList{"b"}));
+    EXPECT_EQ(again.get<label>("a"), 2);
 }
 
 TEST(DictionaryEffective, holdsTheDefaultsThatWereAskedFor)

@@ -81,7 +81,7 @@ class Case(unittest.TestCase):
             ast.parse(stream.read())
 
     @unittest.skipUnless(shutil.which("pvpython")
-                         and shutil.which("xvfb-run"), "no ParaView")
+                         and shutil.which("Xvfb"), "no ParaView")
     def testPicture(self):
         picture = os.path.join(self.root.name, "p.png")
         subprocess.run([sys.executable, "-B",
