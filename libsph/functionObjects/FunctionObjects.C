@@ -1,9 +1,27 @@
 #include "functionObjects/FunctionObject.H"
 
+#include "deposit/magnitude.H"
+#include "functionObjects/FileFields.H"
+
 #include <cmath>
 
 namespace sph
 {
+
+const FieldInfo& findField
+(
+    const Scene& scene, const word& name,
+    const dictionary& dict, const word& entry
+)
+{
+    const FieldInfo& field = findField(scene.particles, name, dict, entry);
+    if (scene.files)
+    {
+        scene.files->need(name, dict, entry);
+    }
+    return field;
+}
+
 
 namespace
 {
@@ -12,11 +30,11 @@ namespace
 struct Scheduled
 {
     word name;
+    std::unique_ptr<FunctionObject> object;
     word control;
     scalar interval;
     std::int64_t lastPeriod = 0;
     bool executed = false;      // at the present step
-    std::unique_ptr<FunctionObject> object;
 
     Scheduled(const word& name, const dictionary& dict, const Scene& scene);
 
@@ -31,11 +49,13 @@ Scheduled::Scheduled
 )
 :
     name(name),
+    object(FunctionObject::New(dict, "type", name, scene)),
     control
     (
         dict.getChoiceOrDefault
         (
-            "executeControl", "timeStep", {"timeStep", "runTime", "writeTime"}
+            "executeControl", object->defaultControl(),
+            {"timeStep", "runTime", "writeTime"}
         )
     ),
     interval
@@ -49,7 +69,6 @@ Scheduled::Scheduled
     {
         dict.fail("executeInterval", "The interval must be at least 1");
     }
-    object = FunctionObject::New(dict, "type", name, scene);
 }
 
 

@@ -30,7 +30,7 @@ public:
     {
         for (const word& field : dict.get<wordList>("fields"))
         {
-            fields_.push_back(&findField(particles_, field, dict, "fields"));
+            fields_.push_back(&findField(scene, field, dict, "fields"));
         }
     }
 

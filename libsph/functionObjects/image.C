@@ -37,7 +37,9 @@ public:
             dict.getChoiceOrDefault("when", "end", {"end", "execute"}) == "end"
         ),
         folder_(scene.caseDir, name, scene.startTimeName)
-    {}
+    {
+        findField(scene, options_.field, dict, "field");
+    }
 
     void execute(const scalar time, std::string&) override
     {

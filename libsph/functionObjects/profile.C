@@ -33,8 +33,8 @@
 // sqrt(sum V f^2/sum V) measured and of the reference, L2 and band in %.
 
 #include "deposit/LayerProfile.H"
-#include "deposit/magnitude.H"
 #include "functionObjects/DataFile.H"
+#include "functionObjects/FieldColumns.H"
 #include "functionObjects/FunctionObject.H"
 #include "functionObjects/ProfileReference.H"
 
@@ -47,35 +47,10 @@ namespace sph
 namespace
 {
 
-// The components of fields, by name
-struct Columns
-{
-    wordList names;
-    std::vector<const scalarField*> values;
-
-    void add(const FieldInfo& field)
-    {
-        static const std::map<FieldKind, wordList> suffixes
-        {
-            {FieldKind::scalar, {""}},
-            {FieldKind::vector, {".x", ".y"}},
-            {FieldKind::symmTensor, {".xx", ".xy", ".yy"}},
-            {FieldKind::tensor, {".xx", ".xy", ".yx", ".yy"}}
-        };
-        const wordList& suffix = suffixes.at(field.kind);
-        for (std::size_t c = 0; c < suffix.size(); ++c)
-        {
-            names.push_back(field.name + suffix[c]);
-            values.push_back(field.components[c]);
-        }
-    }
-};
-
-
 class profile : public FunctionObject
 {
     const Particles& particles_;
-    Columns columns_;
+    FieldColumns columns_;
     vector origin_;
     vector direction_;
     scalar width_;
@@ -131,7 +106,7 @@ public:
     {
         for (const word& field : dict.get<wordList>("fields"))
         {
-            columns_.add(findField(particles_, field, dict, "fields"));
+            columns_.add(findField(scene, field, dict, "fields"));
         }
         if (dict.found("reference"))
         {
