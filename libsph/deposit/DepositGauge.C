@@ -10,7 +10,7 @@ namespace sph
 static constexpr label samples = 8;
 
 
-static BedLine readBed(const dictionary& dict)
+BedLine readBedLine(const dictionary& dict)
 {
     const vector origin =
         dict.getVectorOrDefault("origin", {0, 0}, dimLength);
@@ -52,7 +52,7 @@ DepositGauge::DepositGauge
 )
 :
     rho0_(rho0),
-    bed_(readBed(dict)),
+    bed_(readBedLine(dict)),
     startPositions_(start)
 {
     const word side =
