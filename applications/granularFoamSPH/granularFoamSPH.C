@@ -126,7 +126,7 @@ int main(int argc, char* argv[])
             Scene
             {
                 caseDir, runTime.startTimeName(), g,
-                material.rho0(), particles
+                material.rho0(), particles, &scheme.wallForces()
             }
         );
         if (args.found("noFunctionObjects"))

@@ -61,7 +61,8 @@ Scheme::Scheme
     ),
     wallVelocity_(particles, boundaries),
     wallStress_(particles, boundaries, material.eos(), g),
-    wallVelocityGradient_(particles, boundaries)
+    wallVelocityGradient_(particles, boundaries),
+    wallForces_(particles, boundaries)
 {
     if
     (
@@ -92,6 +93,8 @@ Scheme::Scheme
         forceWalk_.add(*viscousScheme_);
     }
 
+    addWallForces();
+
     wallVelocityWalk_.add(wallVelocity_);
     wallStressWalk_.add(wallStress_);
     if (forcesUse("gradU"))
@@ -114,6 +117,32 @@ Scheme::Scheme
     {
         std::cout << "Selecting " << entry << ' '
             << schemes.get<word>(entry) << '\n';
+    }
+}
+
+// The terms of the force walk that walls and material exert on each other
+void Scheme::addWallForces()
+{
+    wallForces_.add(*artificialViscosity_);
+    if (implicitViscosity_)
+    {
+        wallForces_.refuse
+        (
+            "Forces on walls are not available with viscousIntegration"
+            " implicit"
+        );
+    }
+    else if (!viscousScheme_->conservesMomentum())
+    {
+        wallForces_.refuse
+        (
+            "Forces on walls are not available with this viscousScheme: its"
+            " forces between two particles are not opposite to each other"
+        );
+    }
+    else if (!viscousScheme_->stressCarriesShear())
+    {
+        wallForces_.add(*viscousScheme_);
     }
 }
 
@@ -256,6 +285,7 @@ void Scheme::forces(const scalar deltaT)
         implicitViscosity_->guess(deltaT);
     }
     forceWalk_.run(neighbourhood_.granularPairs(), *kernel_);
+    wallForces_.make(neighbourhood_.wallPairs(), *kernel_);
     if (implicitViscosity_)
     {
         implicitViscosity_->solve(deltaT);

@@ -32,6 +32,8 @@ public:
         guard_(0.01*particles.spacing()*particles.spacing())
     {}
 
+    bool conservesMomentum() const override { return false; }
+
     static constexpr auto reads = fields(of::V, of::U, of::eta);
 
     template<class real>

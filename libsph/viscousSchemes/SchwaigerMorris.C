@@ -27,6 +27,8 @@ public:
     SchwaigerMorris(const dictionary&, const Particles&)
     {}
 
+    bool conservesMomentum() const override { return false; }
+
     static constexpr auto reads = fields(of::V, of::U, of::eta);
 
     template<class real>
