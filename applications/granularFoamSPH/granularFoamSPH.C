@@ -4,6 +4,7 @@
 // equation numbers stand at the calls.
 
 #include "estimate.H"
+#include "postProcess.H"
 
 #include "boundaries/Boundaries.H"
 #include "functionObjects/FunctionObject.H"
@@ -51,17 +52,24 @@ int main(int argc, char* argv[])
 {
     return runMain("granularFoamSPH", [&]
     {
+        std::vector<CommandLine::Option> options
+        {
+            {
+                "dry-run", "",
+                "check the case, print settings and estimates, and exit"
+            },
+            {"listModels", "", "list every selection table and exit"},
+            {
+                "listFunctionObjects", "",
+                "list the types of function objects and exit"
+            },
+            {"noFunctionObjects", "", "do not execute function objects"}
+        };
+        const auto more = postProcessOptions();
+        options.insert(options.end(), more.begin(), more.end());
         const CommandLine args
         (
-            argc, argv, "Flow of dry granular material by SPH",
-            {
-                {
-                    "dry-run", "",
-                    "check the case, print settings and estimates, and exit"
-                },
-                {"listModels", "", "list every selection table and exit"},
-                {"noFunctionObjects", "", "do not execute function objects"}
-            }
+            argc, argv, "Flow of dry granular material by SPH", options
         );
         if (args.found("listModels"))
         {
@@ -69,7 +77,20 @@ int main(int argc, char* argv[])
             listModels(std::cout);
             return 0;
         }
+        if (args.found("listFunctionObjects"))
+        {
+            loadLibrariesOfCase(args.casePath());
+            listModels(std::cout, FunctionObject::family);
+            return 0;
+        }
+        const bool onlyPostProcess = postProcessing(args);
         args.printBanner();
+        if (onlyPostProcess)
+        {
+            postProcess(args);
+            std::cout << "\nEnd\n" << std::endl;
+            return 0;
+        }
 
         const fs::path caseDir = args.caseDir();
         const CaseLock lock(caseDir);

@@ -4,6 +4,7 @@
 #include "functionObjects/FileFields.H"
 
 #include <cmath>
+#include <iostream>
 
 namespace sph
 {
@@ -111,8 +112,15 @@ void Scheduled::execute(Time& runTime)
 
 struct FunctionObjects::Data
 {
+    const Scene scene;
     std::vector<Scheduled> list;
 };
+
+
+FunctionObjects::FunctionObjects(const Scene& scene)
+:
+    data_(new Data{scene, {}})
+{}
 
 
 FunctionObjects::FunctionObjects
@@ -120,15 +128,26 @@ FunctionObjects::FunctionObjects
     const dictionary& controlDict, const Scene& scene
 )
 :
-    data_(std::make_unique<Data>())
+    FunctionObjects(scene)
 {
-    const dictionary& functions = controlDict.subOrEmptyDict("functions");
+    add(controlDict.subOrEmptyDict("functions"));
+}
+
+
+void FunctionObjects::add(const word& name, const dictionary& dict)
+{
+    data_->list.emplace_back(name, dict, data_->scene);
+}
+
+
+void FunctionObjects::add(const dictionary& functions)
+{
     for (const word& name : functions.toc())
     {
         const dictionary& dict = functions.subDict(name);
         if (dict.getOrDefault("enabled", true))
         {
-            data_->list.emplace_back(name, dict, scene);
+            add(name, dict);
         }
         else
         {
@@ -160,6 +179,20 @@ void FunctionObjects::execute(Time& runTime, const bool start)
             {
                 entry.execute(runTime);
             }
+        }
+    }
+}
+
+
+void FunctionObjects::execute(const scalar time)
+{
+    for (Scheduled& entry : data_->list)
+    {
+        std::string stop;
+        entry.object->execute(time, stop);
+        if (!stop.empty())
+        {
+            std::cout << entry.name << ": " << stop << '\n';
         }
     }
 }

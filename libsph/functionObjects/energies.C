@@ -32,13 +32,15 @@ class energies : public FunctionObject
     std::unique_ptr<DataFile> file_;
 
 public:
-    energies(const dictionary&, const word& name, const Scene& scene)
+    energies(const dictionary& dict, const word& name, const Scene& scene)
     :
         scene_(scene),
         start_(startEnergies(scene)),
         name_(name),
         folder_(scene.caseDir, name, scene.startTimeName)
-    {}
+    {
+        findField(scene, "p", dict, "type");
+    }
 
     void execute(const scalar time, std::string&) override
     {

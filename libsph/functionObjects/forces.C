@@ -39,7 +39,8 @@ class forces : public FunctionObject
             dict.fail
             (
                 "type", "Forces on walls are made of pairs of particles, which"
-                " are in no file: only a run has them"
+                " are in no file: only a run has them\n\n"
+                "-func NAME executes one that can do without"
             );
         }
         if (!scene.wallForces->refusal().empty())

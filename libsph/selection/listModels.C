@@ -12,14 +12,20 @@ void listModels(std::ostream& os)
 {
     for (const auto& [family, table] : SelectionTables::all())
     {
-        os << family << '\n';
-        for (const auto& [keyword, description] : table)
-        {
-            os << "    " << std::left << std::setw(26) << keyword
-                << description << '\n';
-        }
-        os << '\n';
+        listModels(os, family);
     }
+}
+
+
+void listModels(std::ostream& os, const std::string& family)
+{
+    os << family << '\n';
+    for (const auto& [keyword, description] : SelectionTables::all()[family])
+    {
+        os << "    " << std::left << std::setw(26) << keyword
+            << description << '\n';
+    }
+    os << '\n';
 }
 
 } // namespace sph
