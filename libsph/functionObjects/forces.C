@@ -11,8 +11,8 @@
 // From the pair sums that the material feels: scheme/WallForces.H. Writes
 // <name>.dat, a row each call: the force, its part by pressure and the rest,
 // shear [N/m], and the moment about CofR, anticlockwise [N]. After a restart
-// the first row is that of the first step. Material that sleeps pushes as it did
-// when it fell asleep.
+// the first row is that of the first step. Material that sleeps pushes as it
+// did when it fell asleep.
 
 #include "functionObjects/DataFile.H"
 #include "functionObjects/FunctionObject.H"
