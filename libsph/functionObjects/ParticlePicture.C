@@ -136,7 +136,7 @@ void ParticlePicture::writeHead
            " 3 '#277f8e', 4 '#1fa187', 5 '#4ac16d', 6 '#a0da39',"
            " 7 '#fde725')\n"
         << "set cbrange [" << low << ':' << high << "]\n"
-        << "set cblabel '" << valueLabel_ << "'\n"
+        << "set cblabel '" << valueLabel_ << "' offset 1.2\n"
         << "set colorbox user origin screen "
         << (W - layout.right + 22)/W << ", screen " << layout.bottom/H
         << " size screen " << 16/W << ", screen "

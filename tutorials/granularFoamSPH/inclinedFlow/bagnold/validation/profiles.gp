@@ -1,6 +1,6 @@
 # Velocity profiles beside Eq. 40 and the start-up solution, from the case
 set terminal pngcairo size 900,420 font "sans,10"
-set output "validation/profiles.png"
+set output "profiles.png"
 set multiplot layout 1,2
 set key bottom right
 set xlabel "U.x [m/s]"

@@ -1,6 +1,6 @@
 # Which layers flow and which stop, beside the experimental fit of Eq. 50
 set terminal pngcairo size 640,480 font "sans,10"
-set output "validation/stopping.png"
+set output "stopping.png"
 set xlabel "slope [deg]"
 set ylabel "thickness in grains, h/d"
 set xrange [18.5:26]
