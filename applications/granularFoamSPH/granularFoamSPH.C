@@ -36,6 +36,7 @@ static void write
 {
     soundSpeed.write(runTime.timePath());
     sleep.write(runTime.timePath());
+    runTime.writeState();
     writeState
     (
         particles, runTime.value(), runTime.timePath(),

@@ -2,7 +2,6 @@
 
 #include "runTime/log.H"
 
-#include <algorithm>
 #include <iostream>
 
 namespace sph
@@ -154,10 +153,7 @@ void Time::setDeltaT(const scalar stable)
 
 scalar Time::grownDeltaT(const scalar stable) const
 {
-    const TimeControls& controls = data_->controls;
-    return controls.adjustTimeStep
-      ? std::min(controls.maxCo*stable, controls.maxDeltaT)
-      : controls.deltaT;
+    return data_->controls.grownDeltaT(stable);
 }
 
 void Time::advance()
@@ -210,10 +206,14 @@ void Time::stop(const std::string& reason)
     data_->stopping = true;
 }
 
+void Time::writeState() const
+{
+    data_->state.write(timePath());
+}
+
 void Time::wroteState()
 {
     Data& d = *data_;
-    d.state.write(timePath());
     if (d.controls.purgeWrite == 0 || d.name == d.start.name)
     {
         return;

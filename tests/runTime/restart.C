@@ -42,6 +42,7 @@ void run(const TestCase& testCase, Steps& steps, const std::int64_t lastIndex)
         if (time.writeTime())
         {
             std::filesystem::create_directories(time.timePath());
+            time.writeState();
             time.wroteState();
         }
     }
@@ -133,6 +134,7 @@ TEST(restart, uniformTimeIsADictionaryWithFullPrecision)
     );
     Time time(testCase.dir());
     time.loop(1);
+    time.writeState();
     time.wroteState();
     const dictionary dict =
         dictionary::fromFile(time.timePath()/"uniform"/"time");
@@ -154,6 +156,7 @@ TEST(restart, aRenamedFolderIsAFreshStart)
     {
         Time time(testCase.dir());
         time.loop(1);
+        time.writeState();
         time.wroteState();
     }
     std::filesystem::remove_all(testCase.dir()/"0");
