@@ -3,9 +3,9 @@
 namespace sph
 {
 
-template<label n>
-const bool LanesOfLibsph<n>::present = true;
+template<class Lanes, bool single>
+const bool LanesOfLibsph<Lanes, single>::present = true;
 
-template struct LanesOfLibsph<width<lanes>>;
+template struct LanesOfLibsph<lanes, singlePrecision>;
 
 } // namespace sph

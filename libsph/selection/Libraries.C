@@ -25,8 +25,9 @@ void loadLibraries
             controlDict.fail
             (
                 "libs", "Cannot load library " + name + "\n" + reason
-              + (otherLanes ? "\nIt was compiled for other registers than"
-                    " libsph: compile both with the same -march" : "")
+              + (otherLanes ? "\nIt was compiled for other registers or"
+                    " another precision than libsph: compile both with the"
+                    " same -march and SPH_PRECISION" : "")
             );
         }
     }
