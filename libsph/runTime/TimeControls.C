@@ -1,5 +1,6 @@
 #include "runTime/TimeControls.H"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -175,6 +176,11 @@ void TimeControls::readFormats(const dictionary& dict)
         dict, "timeFormat", "general", {"general", "fixed", "scientific"}
     );
     timePrecision = boundedLabel(dict, "timePrecision", 6, 1, 17);
+}
+
+scalar TimeControls::grownDeltaT(const scalar stable) const
+{
+    return adjustTimeStep ? std::min(maxCo*stable, maxDeltaT) : deltaT;
 }
 
 word TimeControls::timeName(const scalar value, const label precision) const

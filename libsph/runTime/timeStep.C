@@ -46,8 +46,7 @@ bool Time::Data::atEnd() const
 
 scalar Time::Data::limitedDeltaT(const scalar stable) const
 {
-    const scalar limit =
-        std::min(controls.maxCo*stable, controls.maxDeltaT);
+    const scalar limit = controls.grownDeltaT(stable);
     if (state.deltaTLimit > 0)
     {
         return std::min(limit, growth*state.deltaTLimit);
@@ -81,7 +80,7 @@ scalar Time::Data::shortenedDeltaT(const scalar limit) const
 
 void Time::Data::warnOfManySteps(const scalar stable)
 {
-    const scalar deltaT = std::min(controls.maxCo*stable, controls.maxDeltaT);
+    const scalar deltaT = controls.grownDeltaT(stable);
     const scalar steps = (controls.endTime - state.value)/deltaT;
     if (warnedOfManySteps || !std::isfinite(steps) || steps < manySteps)
     {

@@ -2,6 +2,8 @@
 
 #include "pairs/FusedSums.H"
 
+#include <algorithm>
+
 namespace sph
 {
 
