@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 using namespace sph;
 namespace fs = std::filesystem;
@@ -13,7 +14,8 @@ class SetupOptions : public testing::Test
 {
 protected:
     const fs::path caseDir_ =
-        fs::path(testing::TempDir())/"setupOptions_test";
+        fs::path(testing::TempDir())
+       /("setupOptions" + std::to_string(getpid()));
     const dictionary controlDict_ = dictionary::fromString
     (
         "startFrom startTime; startTime 0.25; endTime 1; maxCo 0.4;"
