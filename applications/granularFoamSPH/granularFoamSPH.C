@@ -186,9 +186,7 @@ int main(int argc, char* argv[])
             scheme.updatePairs();
             scheme.extrapolateVelocity();           // (21)-(23)
             scheme.gradients();                     // (11)-(13)
-            scheme.continuity(dt);                  // (27), (31)
-            scheme.pressure();                      // (7)
-            scheme.rheology(dt);                    // (35)-(39)
+            scheme.correctMaterial(dt);             // (27), (7), (35)-(39)
             scheme.extrapolateStress();             // (24)-(26)
             scheme.forces(dt);                      // (14)-(20), (31)-(32)
             integrator->end(particles, dt);

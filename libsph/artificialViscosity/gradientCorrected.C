@@ -25,7 +25,7 @@ void gradientCorrected::bulkPressure
     const scalar* p = particles.p.data();
     scalar* q = particles.q.data();
     const scalar bulk = chi_*eos_.rho0()*eos_.c()*h_;
-    #pragma omp parallel for simd schedule(static)
+    #pragma omp simd
     for (label i = range.begin; i < range.end; ++i)
     {
         const scalar limit = std::max(0.5*p[i], 0.0);

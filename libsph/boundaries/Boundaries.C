@@ -1,6 +1,7 @@
 #include "boundaries/Boundaries.H"
 
 #include "boundaries/Places.H"
+#include "particles/team.H"
 
 #include <algorithm>
 
@@ -142,10 +143,19 @@ void Boundaries::check(const Particles& particles, const scalar reach) const
 label Boundaries::net(Particles& particles) const
 {
     label hits = 0;
-    for (const auto& patch : patches_)
-    {
-        hits += patch->net(particles);
-    }
+    shareOut
+    (
+        particles.awake(),
+        [&](const ParticleRange& some)
+        {
+            for (const auto& patch : patches_)
+            {
+                const label caught = patch->net(particles, some);
+                #pragma omp atomic
+                hits += caught;
+            }
+        }
+    );
     return hits;
 }
 

@@ -57,7 +57,7 @@ bool Wall::hold(const vector& point, Hold& hold) const
     return true;
 }
 
-label Wall::net(Particles& particles) const
+label Wall::net(Particles& particles, const ParticleRange& range) const
 {
     const scalar gap = 0.25*spacing();
     const scalar reach = 2*spacing();
@@ -74,8 +74,7 @@ label Wall::net(Particles& particles) const
         const scalar end =
             length(s)
           + (s == segmentCount() - 1 && !closed_ ? 0 : reach);
-        #pragma omp parallel for schedule(static) reduction(+: hits)
-        for (label i = 0; i < particles.awake().end; ++i)
+        for (label i = range.begin; i < range.end; ++i)
         {
             const scalar dx = r.x[i] - p.x(), dy = r.y[i] - p.y();
             const scalar height = dx*n.x() + dy*n.y();

@@ -63,10 +63,13 @@ public:
         }
     }
 
-    label net(Particles& particles) const override
+    label net
+    (
+        Particles& particles, const ParticleRange& range
+    ) const override
     {
         label hits = 0;
-        for (label i = 0; i < particles.awake().end; ++i)
+        for (label i = range.begin; i < range.end; ++i)
         {
             const scalar d =
                 (particles.r.x[i] - point_.x())*normal_.x()

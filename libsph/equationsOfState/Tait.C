@@ -53,7 +53,6 @@ public:
         const ParticleRange& range, const scalarField& rho, scalarField& p
     ) const override
     {
-        #pragma omp parallel for schedule(static)
         for (label i = range.begin; i < range.end; ++i)
         {
             p[i] = pressure(rho[i]);

@@ -49,7 +49,7 @@ public:
     ) const override
     {
         const scalar K = this->K(), slope = K/rho0(), pMin = pMin_;
-        #pragma omp parallel for simd schedule(static)
+        #pragma omp simd
         for (label i = range.begin; i < range.end; ++i)
         {
             p[i] = std::max(pMin, slope*rho[i] - K);

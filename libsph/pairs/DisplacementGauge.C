@@ -1,6 +1,6 @@
 #include "pairs/DisplacementGauge.H"
 
-#include "particles/worthATeam.H"
+#include "particles/team.H"
 
 #include <algorithm>
 #include <limits>
@@ -59,51 +59,67 @@ scalar DisplacementGauge::maxSizeSqr(const vectorField& r) const
     return 4*largest;
 }
 
-void DisplacementGauge::collect(const vectorField& r, const CellGrid& grid)
+// Of the particles in a cell
+DisplacementGauge::Box DisplacementGauge::boxOf
+(
+    const vectorField& r, const CellGrid& grid, const label cell
+) const
 {
-    boxes_.assign(std::size_t(grid.nx())*grid.ny(), empty);
-    label k = 0;
-    for (const ParticleRange& range : ranges_)
+    Box box = empty;
+    const CellGrid::Run run = grid.entries(cell);
+    for (label e = run.begin; e < run.end; ++e)
     {
-        for (label i = range.begin; i < range.end; ++i, ++k)
-        {
-            const scalar dx = r.x[i] - rBuilt_.x[i];
-            const scalar dy = r.y[i] - rBuilt_.y[i];
-            include(boxes_[grid.cells()[k]], {{dx, -dx, dy, -dy}});
-        }
+        const label i = grid.particles()[e];
+        const scalar dx = r.x[i] - grid.x()[e], dy = r.y[i] - grid.y()[e];
+        include(box, {{dx, -dx, dy, -dy}});
     }
+    return box;
 }
 
 // Over the five by five cells around each: along rows, then across them
-scalar DisplacementGauge::maxLocalSizeSqr(const label nx, const label ny)
+scalar DisplacementGauge::maxLocalSizeSqr
+(
+    const vectorField& r, const CellGrid& grid
+)
 {
+    const label nx = grid.nx(), ny = grid.ny();
+    boxes_.resize(std::size_t(nx)*ny);
     rowBoxes_.resize(boxes_.size());
-    for (label y = 0; y < ny; ++y)
-    {
-        const Box* row = &boxes_[std::size_t(y)*nx];
-        for (label x = 0; x < nx; ++x)
-        {
-            Box box = empty;
-            const label end = std::min(x + 3, nx);
-            for (label other = std::max(x - 2, 0); other < end; ++other)
-            {
-                include(box, row[other]);
-            }
-            rowBoxes_[std::size_t(y)*nx + x] = box;
-        }
-    }
     scalar largest = 0;
-    for (label y = 0; y < ny; ++y)
+    #pragma omp parallel if(worthATeam(label(rBuilt_.x.size())))
     {
-        const label begin = std::max(y - 2, 0), end = std::min(y + 3, ny);
-        for (label x = 0; x < nx; ++x)
+        #pragma omp for schedule(static)
+        for (label y = 0; y < ny; ++y)
         {
-            Box box = empty;
-            for (label other = begin; other < end; ++other)
+            Box* row = boxes_.data() + std::size_t(y)*nx;
+            for (label x = 0; x < nx; ++x)
             {
-                include(box, rowBoxes_[std::size_t(other)*nx + x]);
+                row[x] = boxOf(r, grid, y*nx + x);
             }
-            largest = std::max(largest, sizeSqr(box));
+            for (label x = 0; x < nx; ++x)
+            {
+                Box box = empty;
+                const label end = std::min(x + 3, nx);
+                for (label other = std::max(x - 2, 0); other < end; ++other)
+                {
+                    include(box, row[other]);
+                }
+                rowBoxes_[std::size_t(y)*nx + x] = box;
+            }
+        }
+        #pragma omp for schedule(static) reduction(max: largest)
+        for (label y = 0; y < ny; ++y)
+        {
+            const label begin = std::max(y - 2, 0), end = std::min(y + 3, ny);
+            for (label x = 0; x < nx; ++x)
+            {
+                Box box = empty;
+                for (label other = begin; other < end; ++other)
+                {
+                    include(box, rowBoxes_[std::size_t(other)*nx + x]);
+                }
+                largest = std::max(largest, sizeSqr(box));
+            }
         }
     }
     return largest;
@@ -125,8 +141,7 @@ bool DisplacementGauge::complete
     {
         return false;
     }
-    collect(r, grid);
-    return maxLocalSizeSqr(grid.nx(), grid.ny()) < skin*skin;
+    return maxLocalSizeSqr(r, grid) < skin*skin;
 }
 
 } // namespace sph

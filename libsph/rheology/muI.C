@@ -84,7 +84,6 @@ public:
         Particles& particles, const ParticleRange& range, scalar
     ) const override
     {
-        #pragma omp parallel for schedule(static)
         for (label i = range.begin; i < range.end; ++i)
         {
             const scalar P = std::max(particles.p[i] + particles.q[i], 0.0);

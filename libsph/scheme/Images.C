@@ -1,6 +1,6 @@
 #include "scheme/Images.H"
 
-#include "particles/worthATeam.H"
+#include "particles/team.H"
 
 namespace sph
 {
@@ -13,26 +13,41 @@ Images::Images
     particles_(particles),
     boundaries_(boundaries),
     reach_(reach)
+{}
+
+// Of what a patch has just appended
+void Images::addRun(const label begin, const label patchI)
 {
-    for (const auto& patch : boundaries.patches())
+    const label end = label(images_.size());
+    for (label k = begin; k < end; ++k)
     {
-        reflections_.push_back(patch->reflection());
+        Image& image = images_[k];
+        image.patch = patchI;
+        sources_.push_back(image.source);
+        shifts_.x.push_back(image.shift.x());
+        shifts_.y.push_back(image.shift.y());
     }
+    const tensor reflection = boundaries_.patches()[patchI]->reflection();
+    runs_.push_back({begin, end, reflection});
 }
 
-// Positions of images from the given one on
-void Images::place(const std::size_t first)
+// Positions of images from the given run on
+void Images::place(const std::size_t firstRun)
 {
-    vectorField& r = particles_.r;
-    const label begin = particles_.ghosts().begin;
-    for (std::size_t k = first; k < images_.size(); ++k)
+    scalar* x = particles_.r.x.data();
+    scalar* y = particles_.r.y.data();
+    const label ghosts = particles_.ghosts().begin;
+    for (std::size_t k = firstRun; k < runs_.size(); ++k)
     {
-        const Image& image = images_[k];
-        r.set
-        (
-            begin + label(k),
-            reflections_[image.patch]*r[image.source] + image.shift
-        );
+        const auto& [begin, end, R] = runs_[k];
+        const scalar Rxx = R(0, 0), Rxy = R(0, 1), Ryx = R(1, 0), Ryy = R(1, 1);
+        #pragma omp simd
+        for (label image = begin; image < end; ++image)
+        {
+            const label i = sources_[image];
+            x[ghosts + image] = Rxx*x[i] + Rxy*y[i] + shifts_.x[image];
+            y[ghosts + image] = Ryx*x[i] + Ryy*y[i] + shifts_.y[image];
+        }
     }
 }
 
@@ -54,12 +69,9 @@ void Images::append
         particles_.r, ghostBegin + label(firstImage),
         ghostBegin + label(before), reach_, images_
     );
-    for (std::size_t k = before; k < images_.size(); ++k)
-    {
-        images_[k].patch = patchI;
-    }
+    addRun(label(before), patchI);
     particles_.resizeGhosts(label(images_.size()));
-    place(before);
+    place(runs_.size() - 1);
     for (std::size_t k = before; k < images_.size(); ++k)
     {
         const label i = ghostBegin + label(k);
@@ -74,6 +86,10 @@ void Images::append
 label Images::make()
 {
     images_.clear();
+    sources_.clear();
+    shifts_.x.clear();
+    shifts_.y.clear();
+    runs_.clear();
     particles_.resizeGhosts(0);
     const label nPatches = label(boundaries_.patches().size());
     for (label patch = 0; patch < nPatches; ++patch)
@@ -88,39 +104,70 @@ label Images::make()
     return nMaterial;
 }
 
+// One field over a run
+static void refreshRun
+(
+    const FieldInfo& info, const label n, const label* source,
+    const label ghosts, const tensor& R
+)
+{
+    const scalar Rxx = R(0, 0), Rxy = R(0, 1), Ryx = R(1, 0), Ryy = R(1, 1);
+    const auto column = [&](const int c) { return info.components[c]->data(); };
+    if (info.kind == FieldKind::scalar)
+    {
+        scalar* a = column(0);
+        #pragma omp simd
+        for (label k = 0; k < n; ++k)
+        {
+            a[ghosts + k] = a[source[k]];
+        }
+    }
+    else if (info.kind == FieldKind::vector)
+    {
+        scalar* x = column(0);
+        scalar* y = column(1);
+        #pragma omp simd
+        for (label k = 0; k < n; ++k)
+        {
+            const label i = source[k];
+            x[ghosts + k] = Rxx*x[i] + Rxy*y[i];
+            y[ghosts + k] = Ryx*x[i] + Ryy*y[i];
+        }
+    }
+    else    // R T R^T
+    {
+        const bool symmetric = info.kind == FieldKind::symmTensor;
+        scalar* xx = column(0);
+        scalar* xy = column(1);
+        scalar* yx = column(symmetric ? 1 : 2);
+        scalar* yy = column(symmetric ? 2 : 3);
+        #pragma omp simd
+        for (label k = 0; k < n; ++k)
+        {
+            const label i = source[k], to = ghosts + k;
+            const scalar Axx = Rxx*xx[i] + Rxy*yx[i];
+            const scalar Axy = Rxx*xy[i] + Rxy*yy[i];
+            const scalar Ayx = Ryx*xx[i] + Ryy*yx[i];
+            const scalar Ayy = Ryx*xy[i] + Ryy*yy[i];
+            xx[to] = Axx*Rxx + Axy*Rxy;
+            xy[to] = Axx*Ryx + Axy*Ryy;
+            yx[to] = Ayx*Rxx + Ayy*Rxy;
+            yy[to] = Ayx*Ryx + Ayy*Ryy;
+        }
+    }
+}
+
 // One field: images of images come after their sources
 void Images::refresh(const FieldInfo& info)
 {
-    const label begin = particles_.ghosts().begin;
-    const auto& c = info.components;
-    for (std::size_t k = 0; k < images_.size(); ++k)
+    const label ghosts = particles_.ghosts().begin;
+    for (const Run& run : runs_)
     {
-        const label from = images_[k].source;
-        const label to = begin + label(k);
-        const tensor& R = reflections_[images_[k].patch];
-        if (info.kind == FieldKind::scalar)
-        {
-            (*c[0])[to] = (*c[0])[from];
-        }
-        else if (info.kind == FieldKind::vector)
-        {
-            const vector v = R*vector((*c[0])[from], (*c[1])[from]);
-            (*c[0])[to] = v.x();
-            (*c[1])[to] = v.y();
-        }
-        else
-        {
-            const bool symmetric = info.kind == FieldKind::symmTensor;
-            const label yx = symmetric ? 1 : 2, yy = symmetric ? 2 : 3;
-            tensor t;
-            t << (*c[0])[from], (*c[1])[from],
-                 (*c[yx])[from], (*c[yy])[from];
-            t = (R*t*R.transpose()).eval();
-            (*c[0])[to] = t(0, 0);
-            (*c[1])[to] = t(0, 1);
-            (*c[yx])[to] = t(1, 0);
-            (*c[yy])[to] = t(1, 1);
-        }
+        refreshRun
+        (
+            info, run.end - run.begin, sources_.data() + run.begin,
+            ghosts + run.begin, run.reflection
+        );
     }
 }
 

@@ -1,7 +1,7 @@
 // The parts of a step.
 #include "scheme/Scheme.H"
 
-#include "particles/worthATeam.H"
+#include "particles/team.H"
 
 #include <algorithm>
 
@@ -13,13 +13,22 @@ void Scheme::updatePairs()
     neighbourhood_.update();
     rebuilt_ = neighbourhood_.rebuilds() != rebuilds_;
     rebuilds_ = neighbourhood_.rebuilds();
-    if (rebuilt_ && particles_.sleepers().size() > 0)
+    if (!rebuilt_)
+    {
+        return;
+    }
+    // A sort loses what follows from the state
+    shareOut
+    (
+        particles_.awake(), [&](const auto& some) { setVolumes(some); }
+    );
+    if (particles_.sleepers().size() > 0)
     {
         setSleepers();
     }
 }
 
-// What follows from the state of those that do not move; a sort loses it
+// What follows from the state of those that do not move
 void Scheme::setSleepers()
 {
     const ParticleRange range = particles_.sleepers();
@@ -47,7 +56,7 @@ void Scheme::setVolumes(const ParticleRange& range)
     scalar* Vg = particles_.Vg.data();
     const scalar* m = particles_.m.data();
     const scalar* rho = particles_.rho.data();
-    #pragma omp parallel for simd schedule(static)
+    #pragma omp simd
     for (label i = range.begin; i < range.end; ++i)
     {
         V[i] = Vg[i] = m[i]/rho[i];
@@ -56,7 +65,6 @@ void Scheme::setVolumes(const ParticleRange& range)
 
 void Scheme::extrapolateVelocity()
 {
-    setVolumes(particles_.awake());
     neighbourhood_.refreshImages(wallVelocityWalk_.fields());
     wallVelocityWalk_.run(neighbourhood_.wallPairs(), *kernel_);
     neighbourhood_.refreshImages(gradientWalk_.fields());
@@ -70,33 +78,27 @@ void Scheme::gradients()
     gradientWalk_.run(neighbourhood_.granularPairs(), *kernel_, end);
 }
 
-void Scheme::continuity(const scalar deltaT)
+// rho += dt (-rho div + rhoDot)
+void Scheme::continuity(const ParticleRange& range, const scalar deltaT)
 {
-    const label n = particles_.awake().end;
     scalar* rho = particles_.rho.data();
     const scalar* div = particles_.div.data();
     const scalar* rhoDot = particles_.rhoDot.data();
     scalar* V = particles_.V.data();
     scalar* Vg = particles_.Vg.data();
     const scalar* m = particles_.m.data();
-    #pragma omp parallel for simd schedule(static)
-    for (label i = 0; i < n; ++i)
+    #pragma omp simd
+    for (label i = range.begin; i < range.end; ++i)
     {
         rho[i] += deltaT*(rhoDot[i] - rho[i]*div[i]);
         V[i] = Vg[i] = m[i]/rho[i];
     }
 }
 
-void Scheme::pressure()
+void Scheme::pressure(const ParticleRange& range)
 {
-    const ParticleRange range = particles_.awake();
     material_.eos().correct(range, particles_.rho, particles_.p);
     artificialViscosity_->bulkPressure(particles_, range);
-}
-
-void Scheme::rheology(const scalar deltaT)
-{
-    material_.rheology().correct(particles_, particles_.awake(), deltaT);
 }
 
 // T = [-(p + q) 1 + s]/rho^2
@@ -104,7 +106,6 @@ void Scheme::setStress(const ParticleRange& range)
 {
     using namespace of;
     const scalar shear = viscousScheme_->stressCarriesShear() ? 1 : 0;
-    #pragma omp parallel for schedule(static) if(worthATeam(range.size()))
     for
     (
         label first = range.begin; first < range.end; first += width<lanes>
@@ -118,11 +119,39 @@ void Scheme::setStress(const ParticleRange& range)
     }
 }
 
+void Scheme::stress(const ParticleRange& range)
+{
+    setStress(range);
+    material_.turbulence().addStress(particles_, range);
+}
+
+void Scheme::correctMaterial(const scalar deltaT)
+{
+    shareOut
+    (
+        particles_.awake(),
+        [&](const ParticleRange& some)
+        {
+            continuity(some, deltaT);
+            pressure(some);
+            material_.rheology().correct(particles_, some, deltaT);
+            stress(some);
+        }
+    );
+}
+
+void Scheme::pressure()
+{
+    shareOut(particles_.awake(), [&](const auto& some) { pressure(some); });
+}
+
+void Scheme::stress()
+{
+    shareOut(particles_.awake(), [&](const auto& some) { stress(some); });
+}
+
 void Scheme::extrapolateStress()
 {
-    setStress(particles_.awake());
-    material_.turbulence().addStress(particles_, particles_.awake());
-
     neighbourhood_.refreshImages(wallStressWalk_.fields());
     wallStressWalk_.run(neighbourhood_.wallPairs(), *kernel_);
     setStress(particles_.walls());
@@ -150,6 +179,7 @@ void Scheme::initialise()
     extrapolateVelocity();
     gradients();
     pressure();
+    stress();
     extrapolateStress();
     forces(0);
 }

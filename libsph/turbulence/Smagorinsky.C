@@ -42,7 +42,6 @@ public:
     ) const override
     {
         const tensorField& G = particles.gradU;
-        #pragma omp parallel for schedule(static)
         for (label i = range.begin; i < range.end; ++i)
         {
             const scalar nut = CsDxSqr_*particles.gammaDot[i];

@@ -17,6 +17,7 @@ static const struct { const char* name; label k, chunks; } sizes[] =
 };
 
 static const char* const twoThreads = "step/twoThreads";
+static const char* const largeTwoThreads = "step/10^5/twoThreads";
 
 void addWholeSteps(const bool large)
 {
@@ -38,6 +39,11 @@ void addWholeSteps(const bool large)
         (
             twoThreads,
             []() -> CollapseScene& { return midCollapse(); }, 2, 60
+        );
+        addStepBenchmark
+        (
+            largeTwoThreads,
+            []() -> CollapseScene& { return midCollapse(3); }, 2, 12
         );
     }
 }
@@ -63,7 +69,11 @@ static void printSpeed(const Samples& samples, std::ostream& os)
     );
     const scalar base = samples.median("step");
     const scalar pairs = samples.mean("step", "neighbours");
-    for (const char* name : {"step", twoThreads, "step/10^5", "step/10^6"})
+    for
+    (
+        const char* name :
+        {"step", twoThreads, "step/10^5", largeTwoThreads, "step/10^6"}
+    )
     {
         const scalar min = samples.min(name), median = samples.median(name);
         const scalar neighbours = samples.mean(name, "neighbours");
@@ -113,7 +123,10 @@ void printWholeSteps
 {
     printSpeed(samples, os);
     printGrowth(samples, os);
-    figures.emplace_back(twoThreads, samples.median(twoThreads));
+    for (const char* name : {twoThreads, largeTwoThreads})
+    {
+        figures.emplace_back(name, samples.median(name));
+    }
     for (const auto& [name, k, chunks] : sizes)
     {
         figures.emplace_back(name, samples.median(name));

@@ -252,6 +252,7 @@ TEST_F(extrapolation, stressContinuesAtARoughWallAndIsMirroredAtASmoothOne)
             P.s.set(i, s);
             P.gradU.set(i, G);
         }
+        scene->scheme.stress();
         scene->scheme.extrapolateStress();
         const scalar sign = std::string(type) == "freeSlip" ? -1 : 1;
         label checked = 0;

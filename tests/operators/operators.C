@@ -69,6 +69,7 @@ struct momentumOfABox : testing::Test
             P.s.set(i, (tensor() << sxx, sxy, sxy, -sxx).finished());
             P.q[i] = 1e3*number();
         }
+        scene->scheme.stress();
         scene->scheme.extrapolateStress();
         scene->scheme.forces(1e-4);
     }

@@ -34,7 +34,9 @@ const std::string implicit =
 void prepare(TestScene& scene)
 {
     scene.scheme.initialise();
-    scene.scheme.rheology(0);
+    Particles& P = scene.particles;
+    scene.material.rheology().correct(P, P.awake(), 0);
+    scene.scheme.stress();
     scene.scheme.extrapolateStress();
 }
 
@@ -200,6 +202,7 @@ TEST(implicitViscosity, isExplicitInShortSteps)
                 s->particles.p[i] = 0;
             }
             // No forces but the viscous one
+            s->scheme.stress();
             s->scheme.extrapolateStress();
         }
         explicitScene.scheme.forces(0);

@@ -97,6 +97,7 @@ protected:
                     1 + 0.002*x[4]
                   + CaseText::rho0*g*(ny*dx - points[id].y())/K
                 );
+                P.V[i] = P.Vg[i] = P.m[i]/P.rho[i];
                 P.s.xx[i] = 60*x[5];
                 P.s.xy[i] = 60*x[6];
                 P.s.yy[i] = -P.s.xx[i];
@@ -140,6 +141,7 @@ protected:
         }
         for (SleepScene* scene : {some.get(), none.get()})
         {
+            scene->scheme.stress();
             scene->scheme.extrapolateStress();
             scene->scheme.forces(dt);
         }

@@ -70,6 +70,7 @@ struct Pressed : SleepScene
         scheme.extrapolateVelocity();
         scheme.gradients();
         scheme.pressure();
+        scheme.stress();
         scheme.extrapolateStress();
         scheme.forces(dt);
     }

@@ -44,7 +44,6 @@ public:
         Particles& particles, const ParticleRange& range, scalar
     ) const override
     {
-        #pragma omp parallel for schedule(static)
         for (label i = range.begin; i < range.end; ++i)
         {
             particles.eta[i] = eta(particles.gammaDot[i]);
