@@ -7,6 +7,38 @@
 namespace sph
 {
 
+static std::unique_ptr<ViscousScheme> newViscousScheme
+(
+    const dictionary& schemes, const dictionary& solution,
+    const Particles& particles, const Material& material
+)
+{
+    auto scheme = ViscousScheme::New(schemes, "viscousScheme", particles);
+    if (!material.rheology().elastic())
+    {
+        return scheme;
+    }
+    if (!scheme->stressCarriesShear())
+    {
+        schemes.fail
+        (
+            "viscousScheme",
+            "An elastic rheology carries its stress: it needs"
+            " viscousScheme stressDivergence"
+        );
+    }
+    if (ImplicitViscosity::selected(solution))
+    {
+        solution.fail
+        (
+            "viscousIntegration",
+            "An elastic rheology has no viscosity that limits the step:"
+            " viscousIntegration explicit"
+        );
+    }
+    return scheme;
+}
+
 Scheme::Scheme
 (
     const dictionary& schemes, const dictionary& solution,
@@ -38,7 +70,7 @@ Scheme::Scheme
     correction_(Correction::New(schemes, "correction")),
     shifting_(Shifting::New(schemes, "shifting", particles, *kernel_)),
     stressDivergence_(g),
-    viscousScheme_(ViscousScheme::New(schemes, "viscousScheme", particles)),
+    viscousScheme_(newViscousScheme(schemes, solution, particles, material)),
     artificialViscosity_
     (
         ArtificialViscosity::New
@@ -63,19 +95,6 @@ Scheme::Scheme
     wallVelocityGradient_(particles, boundaries),
     wallForces_(particles, boundaries)
 {
-    if
-    (
-        material.rheology().elastic() && !viscousScheme_->stressCarriesShear()
-    )
-    {
-        schemes.fail
-        (
-            "viscousScheme",
-            "An elastic rheology carries its stress: it needs"
-            " viscousScheme stressDivergence"
-        );
-    }
-
     gradientWalk_.add(*correction_);
     gradientWalk_.add(velocityGradient_);
     if (stabilisation_->needsGradRho())
@@ -96,7 +115,7 @@ Scheme::Scheme
 
     wallVelocityWalk_.add(wallVelocity_);
     wallStressWalk_.add(wallStress_);
-    if (forcesUse("gradU"))
+    if (forcesUse("gradU") || material.turbulence().any())
     {
         wallStressWalk_.add(wallVelocityGradient_);
     }

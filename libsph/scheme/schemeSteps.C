@@ -154,7 +154,7 @@ void Scheme::extrapolateStress()
 {
     neighbourhood_.refreshImages(wallStressWalk_.fields());
     wallStressWalk_.run(neighbourhood_.wallPairs(), *kernel_);
-    setStress(particles_.walls());
+    stress(particles_.walls());
     neighbourhood_.refreshImages(forceWalk_.fields());
 }
 

@@ -7,7 +7,8 @@
 //                                                                      (17)
 //     grad p = c^2 grad rho
 //
-// over granular neighbours. Salehizadeh & Shafiei, Granular Matter 21:32
+// over granular neighbours and where p > 0; L is that of the correction, over
+// all neighbours, and c that at rho0. Salehizadeh & Shafiei, Granular Matter 21:32
 // (2019), after Fatehi & Manzari, Int. J. Numer. Methods Fluids 68, 905
 // (2012). It acts as deltaSPH with delta = sigma c dt/h. With the step as
 // printed it fades where the viscous limit makes steps short; with dt = Co h/c

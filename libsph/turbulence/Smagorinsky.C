@@ -12,6 +12,8 @@
 
 #include "turbulence/Turbulence.H"
 
+#include <cmath>
+
 namespace sph
 {
 namespace
@@ -44,7 +46,9 @@ public:
         const tensorField& G = particles.gradU;
         for (label i = range.begin; i < range.end; ++i)
         {
-            const scalar nut = CsDxSqr_*particles.gammaDot[i];
+            const scalar Dxx = 0.5*(G.xx[i] - G.yy[i]);
+            const scalar Dxy = 0.5*(G.xy[i] + G.yx[i]);
+            const scalar nut = CsDxSqr_*2*std::sqrt(Dxx*Dxx + Dxy*Dxy);
             const scalar k = nut*nut/(0.0064*dx_*dx_);
             const scalar invRho = 1/particles.rho[i];
             particles.T.xx[i] += invRho*(2*nut*G.xx[i] - 2*k/3);

@@ -16,6 +16,7 @@ public:
     {}
 
     void addStress(Particles&, const ParticleRange&) const override {}
+    bool any() const override { return false; }
 };
 
 static const Turbulence::Add<laminar> add

@@ -233,6 +233,45 @@ TEST_F(extrapolation, pressureContinuesThatOfAColumnAtRest)
     EXPECT_GT(checked, 100);
 }
 
+// The stress of scales below the particles' does not end at a wall, either
+TEST_F(extrapolation, turbulentStressContinuesAtARoughWall)
+{
+    text.turbulence = "turbulence Smagorinsky; SmagorinskyCoeffs { Cs 0.2; }";
+    fill(bedOf("noSlip"), 20, 10);
+    setVelocity([](const vector&) { return vector(0, 0); });
+    Particles& P = scene->particles;
+    scene->scheme.gradients();
+    for (label i = 0; i < P.granular().end; ++i)
+    {
+        P.rho[i] = CaseText::rho0;
+        P.p[i] = P.q[i] = 0;
+        P.s.set(i, tensor::Zero());
+        P.gradU.set(i, (tensor() << 1, 2, 3, -4).finished());
+    }
+    scene->scheme.stress();
+    scene->scheme.extrapolateStress();
+    const tensor expected = P.T[0];
+    ASSERT_GT(expected.norm(), 0);
+    label checked = 0;
+    for (label w = P.walls().begin; w < P.walls().end; ++w)
+    {
+        vector any;
+        if (shepard(w, [&](label) { return vector(1, 0); }, any))
+        {
+            // But for the pressure, which has the weight in it
+            const scalar f = P.rho[w]/CaseText::rho0;
+            const scalar off = 1e-9*expected.norm();
+            EXPECT_NEAR(f*P.T.xy[w], expected(0, 1), off);
+            EXPECT_NEAR
+            (
+                f*(P.T.xx[w] - P.T.yy[w]), expected(0, 0) - expected(1, 1), off
+            );
+            ++checked;
+        }
+    }
+    EXPECT_GT(checked, 20);
+}
+
 TEST_F(extrapolation, stressContinuesAtARoughWallAndIsMirroredAtASmoothOne)
 {
     for (const char* type : {"noSlip", "freeSlip"})

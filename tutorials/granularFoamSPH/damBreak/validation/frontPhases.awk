@@ -16,16 +16,19 @@ function fit(t)
 /^#/ { next }
 {
     if (!n) x0 = $4
+    # A run that was interrupted tells of some times twice
+    while (n && time[n - 1] >= $2) n--
     time[n] = $2; x[n] = ($4 - x0)/l0; n++
 }
 END {
     total = x[n - 1]
     step = n > 150 ? int(n/150) : 1
     best = 1e30
-    for (t1 = 0.2; t1 <= 2; t1 += 0.1)
-        for (t2 = 0; t2 <= 4; t2 += 0.1)
-            for (t3 = 0.2; t3 <= 3; t3 += 0.1)
+    for (i = 2; i <= 20; i++)
+        for (j = 0; j <= 40; j++)
+            for (l = 2; l <= 60; l++)
             {
+                t1 = i/10; t2 = j/10; t3 = l/10
                 V = total/(t1/2 + t2 + t3/2)
                 sum = 0
                 for (k = 0; k < n && sum < best; k += step)
