@@ -40,6 +40,7 @@ Time::Data::Data
     if (state.read(caseDir/start.name))
     {
         start.value = state.value;
+        precision = std::max(precision, state.timePrecision);
     }
     else
     {
@@ -190,6 +191,7 @@ void Time::Data::rename(const scalar previousValue)
         std::cout
             << "Raising timePrecision from " << before << " to " << precision
             << ": time names would coincide\n";
+        state.timePrecision = precision;
     }
     name = controls.timeName(state.value, precision);
 }

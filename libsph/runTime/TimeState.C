@@ -21,13 +21,24 @@ bool TimeState::read(const std::filesystem::path& timeFolder)
     {
         return false;
     }
-    value = dict.get("value", dimTime);
-    index = std::int64_t(dict.get("index", dimless, Range::nonNegative()));
-    deltaT = dict.get("deltaT", dimTime, Range::nonNegative());
-    deltaTLimit = dict.getOrDefault
+    TimeState state;
+    state.value = dict.get("value", dimTime);
+    // Whole numbers up to here are exact
+    state.index = std::int64_t
     (
-        "deltaTLimit", deltaT, dimTime, Range::nonNegative()
+        dict.get("index", dimless, Range::between(0, 9e15))
     );
+    if (dict.found("timePrecision"))
+    {
+        state.timePrecision = label
+        (
+            dict.get("timePrecision", dimless, Range::between(1, 17))
+        );
+    }
+    state.deltaT = dict.get("deltaT", dimTime, Range::nonNegative());
+    state.deltaTLimit = dict.get("deltaTLimit", dimTime, Range::nonNegative());
+    dict.refuseUnused();
+    *this = state;
     return true;
 }
 
@@ -49,8 +60,12 @@ void TimeState::write(const std::filesystem::path& timeFolder) const
                 << "}\n\n"
                 << "value           " << value << ";\n\n"
                 << "name            \"" << name << "\";\n\n"
-                << "index           " << index << ";\n\n"
-                << "deltaT          " << deltaT << ";\n\n"
+                << "index           " << index << ";\n\n";
+            if (timePrecision > 0)
+            {
+                os  << "timePrecision   " << timePrecision << ";\n\n";
+            }
+            os  << "deltaT          " << deltaT << ";\n\n"
                 << "deltaTLimit     " << deltaTLimit << ";\n";
         }
     );

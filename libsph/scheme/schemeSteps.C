@@ -28,7 +28,8 @@ void Scheme::updatePairs()
     }
 }
 
-// What follows from the state of those that do not move
+// What follows from the state of those that do not move. Gradients are made
+// afterwards, of those that others see.
 void Scheme::setSleepers()
 {
     const ParticleRange range = particles_.sleepers();
@@ -40,7 +41,8 @@ void Scheme::setSleepers()
         scalarField* rate :
         {
             &P.q, &P.div, &P.gammaDot, &P.I, &P.gradRho.x, &P.gradRho.y,
-            &P.gradU.xx, &P.gradU.xy, &P.gradU.yx, &P.gradU.yy
+            &P.gradU.xx, &P.gradU.xy, &P.gradU.yx, &P.gradU.yy,
+            &P.L.xx, &P.L.xy, &P.L.yy, &P.w
         }
     )
     {

@@ -15,21 +15,24 @@ struct Step
     scalar value;
     scalar deltaT;
     bool write;
+    word name;
 
     bool operator==(const Step& other) const
     {
         return
             value == other.value && deltaT == other.deltaT
-         && write == other.write;
+         && write == other.write && name == other.name;
     }
 };
 
 using Steps = std::map<std::int64_t, Step>;     // by index
 
-// A stable step that depends on the time alone, as it would on the state
+// A stable step that depends on the time alone, as it would on the state; once
+// so small that time names need more digits
 scalar stableAt(const scalar t)
 {
-    return 0.011*(1 + 0.7*std::sin(37*t) + 0.2*std::sin(611*t));
+    const scalar pinched = std::abs(t - 0.2) < 1e-5 ? 1e-4 : 1;
+    return pinched*0.011*(1 + 0.7*std::sin(37*t) + 0.2*std::sin(611*t));
 }
 
 // Runs until lastIndex (or the end) and writes every state that is due
@@ -38,7 +41,10 @@ void run(const TestCase& testCase, Steps& steps, const std::int64_t lastIndex)
     Time time(testCase.dir());
     while (time.index() < lastIndex && time.loop(stableAt(time.value())))
     {
-        steps[time.index()] = {time.value(), time.deltaT(), time.writeTime()};
+        steps[time.index()] =
+        {
+            time.value(), time.deltaT(), time.writeTime(), time.timeName()
+        };
         if (time.writeTime())
         {
             std::filesystem::create_directories(time.timePath());
