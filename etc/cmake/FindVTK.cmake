@@ -12,7 +12,7 @@ string(REGEX MATCH "9\\.[0-9]+$" VTK_VERSION "${VTK_INCLUDE_DIR}")
 set(VTK_LIBRARIES "")
 foreach(module
     CommonCore CommonMath CommonTransforms CommonDataModel
-    CommonExecutionModel IOXMLParser IOXML
+    CommonExecutionModel FiltersCore IOXMLParser IOXML IOLegacy IOGeometry
 )
     file(GLOB files
         /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/libvtk${module}-${VTK_VERSION}.so.*

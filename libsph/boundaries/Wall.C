@@ -1,8 +1,10 @@
 #include "boundaries/Wall.H"
 
+#include "geometry/Polyline.H"
 #include "runTime/log.H"
 
 #include <cmath>
+#include <numeric>
 
 namespace sph
 {
@@ -15,7 +17,6 @@ static Motion readMotion(const dictionary& dict)
 Wall::Wall(const dictionary& dict, const word& name, const scalar spacing)
 :
     Boundary(name, spacing),
-    points_(dict.get<std::vector<vector>>("points")),
     layers_(dict.getOrDefault<label>("layers", 3)),
     velocity_
     (
@@ -23,38 +24,27 @@ Wall::Wall(const dictionary& dict, const word& name, const scalar spacing)
     ),
     motion_(readMotion(dict))
 {
+    const Polyline line(dict, spacing);
+    points_ = line.points();
     if (points_.size() < 2)
     {
-        dict.fail("points", "A wall needs at least two points");
+        line.fail("A wall needs at least two points");
     }
+    closed_ = points_.size() > 3
+        && (points_.front() - points_.back()).norm() <= 1e-6*spacing;
+    line.check("wall", closed_, 1e-6*spacing, -0.9999);
     for (label s = 0; s < segmentCount(); ++s)
     {
-        if (length(s) < 1e-6*spacing)
-        {
-            dict.fail("points", "Two points of the wall coincide");
-        }
         tangents_.push_back((points_[s + 1] - points_[s]).normalized());
     }
     if (layers_ < 1)
     {
         dict.fail("layers", "A wall needs at least one layer of particles");
     }
-    closed_ = points_.size() > 3
-        && (points_.front() - points_.back()).norm() < 1e-6*spacing;
-    for (label v = 0; v <= segmentCount(); ++v)
-    {
-        const auto [before, after] = corner(v);
-        if (tangent(before).dot(tangent(after)) < -0.9999)
-        {
-            dict.fail
-            (
-                "points", "The wall turns back on itself at ("
-              + std::to_string(points_[v].x()) + ' '
-              + std::to_string(points_[v].y()) + " 0)"
-            );
-        }
-    }
     netLine_ = offset(-0.25*spacing);
+    allSides_.resize(segmentCount());
+    std::iota(allSides_.begin(), allSides_.end(), 0);
+    nearSides_ = NearSides(points_, 3*spacing);     // the net looks 2 dx far
 }
 
 void Wall::moveTo(const scalar time)
@@ -93,12 +83,15 @@ scalar Wall::turn(const label point) const
 
 // The nearest one; its side is that of the nearer segment, at a corner that of
 // the segment which the point faces most
-Wall::Foot Wall::foot(const vector& point) const
+Wall::Foot Wall::foot
+(
+    const vector& point, const NearSides::Range& sides
+) const
 {
     scalar best = std::numeric_limits<scalar>::infinity();
     scalar bestSide = 0;
     Foot foot{-1, 0, best};
-    for (label s = 0; s < segmentCount(); ++s)
+    for (const label s : sides)
     {
         const scalar length = this->length(s);
         const vector& t = tangent(s);
@@ -126,6 +119,12 @@ Wall::Foot Wall::foot(const vector& point) const
         }
     }
     return foot;
+}
+
+Wall::Foot Wall::foot(const vector& point) const
+{
+    const label* const first = allSides_.data();
+    return foot(point, {first, first + allSides_.size()});
 }
 
 scalar Wall::distance(const vector& point) const

@@ -1,6 +1,8 @@
 // The last net of a wall: a line dx/4 in front of it that nothing passes.
 #include "boundaries/Wall.H"
 
+#include <algorithm>
+
 namespace sph
 {
 
@@ -18,7 +20,7 @@ void Wall::holdAtCorner(const label point, Hold& hold) const
 bool Wall::hold(const vector& point, Hold& hold) const
 {
     const scalar gap = 0.25*spacing();
-    const Foot foot = this->foot(point);
+    const Foot foot = this->foot(point, nearSides_.of(point));
     // What stands on the net is not caught again for its rounding
     const scalar least = (1 - 1e-9)*gap;
     if (!(foot.distance < least && foot.distance > -2*spacing()))
@@ -57,16 +59,34 @@ bool Wall::hold(const vector& point, Hold& hold) const
     return true;
 }
 
+<<<<<<< HEAD
 label Wall::net(Particles& particles, const ParticleRange& range) const
+=======
+// Whether a side is to look at a point: corners hold what has passed beside
+// the sides
+bool Wall::looksAt(const label side, const vector& point) const
 {
-    const scalar gap = 0.25*spacing();
     const scalar reach = 2*spacing();
-    vectorField& r = particles.r;
-    vectorField& U = particles.U;
+    const vector d = point - points_[side];
+    const scalar height = d.dot(normal(side)), along = d.dot(tangent(side));
+    const bool first = side == 0 && !closed_;
+    const bool last = side == segmentCount() - 1 && !closed_;
+    return
+        height < 0.25*spacing() && height > -reach
+     && along >= (first ? 0 : -reach)
+     && along <= length(side) + (last ? 0 : reach);
+}
+
+label Wall::net(Particles& particles) const
+>>>>>>> 762165e57d501c6a193310c2cd720961769564fd
+{
     const vector velocity = this->velocity();
+    const vector displacement = displacement_;
     label hits = 0;
-    for (label s = 0; s < segmentCount(); ++s)
+    #pragma omp parallel for schedule(static) reduction(+: hits)
+    for (label i = 0; i < particles.awake().end; ++i)
     {
+<<<<<<< HEAD
         const vector p = points_[s] + displacement_;
         const vector t = tangent(s), n = normal(s);
         // Corners hold what has passed beside the segments
@@ -75,23 +95,23 @@ label Wall::net(Particles& particles, const ParticleRange& range) const
             length(s)
           + (s == segmentCount() - 1 && !closed_ ? 0 : reach);
         for (label i = range.begin; i < range.end; ++i)
+=======
+        vector r = particles.r[i] - displacement;
+        NearSides::Range sides = nearSides_.of(r);
+        for (const label* s = sides.begin(); s != sides.end(); )
+>>>>>>> 762165e57d501c6a193310c2cd720961769564fd
         {
-            const scalar dx = r.x[i] - p.x(), dy = r.y[i] - p.y();
-            const scalar height = dx*n.x() + dy*n.y();
-            if (height < gap && height > -reach)
+            Hold held;
+            const label side = *s++;
+            if (looksAt(side, r) && hold(r, held))
             {
-                const scalar along = dx*t.x() + dy*t.y();
-                Hold held;
-                if
-                (
-                    along >= begin && along <= end
-                 && hold(r[i] - displacement_, held)
-                )
-                {
-                    r.set(i, held.r + displacement_);
-                    U.set(i, velocity + held.allowed(U[i] - velocity));
-                    ++hits;
-                }
+                r = held.r;
+                particles.r.set(i, r + displacement);
+                const vector U = particles.U[i] - velocity;
+                particles.U.set(i, velocity + held.allowed(U));
+                ++hits;
+                sides = nearSides_.of(r);
+                s = std::upper_bound(sides.begin(), sides.end(), side);
             }
         }
     }

@@ -1,5 +1,7 @@
 #include "functionObjects/ProfileReference.H"
 
+#include "io/ColumnFile.H"
+
 #include <cmath>
 
 namespace sph
@@ -14,7 +16,7 @@ ProfileReference::ProfileReference
     timed_(dict.found("time")),
     band_(dict.getOrDefault("band", 0, dimless, Range::nonNegative()))
 {
-    const ReferenceTable table(caseDir/dict.get<word>("file"));
+    const ColumnFile table(caseDir/dict.get<word>("file"));
     const auto columns = dict.get<wordList>("columns");
     if (columns.size() != 2)
     {

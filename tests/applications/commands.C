@@ -25,6 +25,7 @@ TEST(commands, listModelsPrintsEveryFamily)
         {"integrator", {"symplecticEuler", "velocityVerlet"}},
         {"functionObject", {"runout", "energies", "stopWhenAtRest"}},
         {"shifting", {"none", "strainRate"}},
+        {"geometryFormat", {"csv", "stl", "vtk", "vtp"}},
         {"artificialViscosity", {"none", "gradientCorrected"}}
     };
     for (const auto& [family, models] : families)

@@ -1,6 +1,6 @@
 // Profiles across a layer, and reference data beside them.
 #include "deposit/LayerProfile.H"
-#include "deposit/ReferenceTable.H"
+#include "deposit/ReferenceCurve.H"
 #include "heaps.H"
 #include "primitives/error.H"
 #include "../runTime/TestCase.H"
@@ -38,43 +38,6 @@ TEST(LayerProfile, isExactForALinearFieldHoweverBinsAreCut)
         }
         EXPECT_NEAR(volume, all, 1e-12*all);
     }
-}
-
-TEST(ReferenceTable, readsNamedColumns)
-{
-    const TestCase dir;
-    dir.write("a.csv", "# made up\n\nx,y\n1,2.5\n 2 , -3e-1 \n# end\n3;4\n");
-    const ReferenceTable table(dir.dir()/"a.csv");
-    EXPECT_EQ(table.column("y"), 1);
-    const std::vector<std::vector<scalar>> rows{{1, 2.5}, {2, -0.3}, {3, 4}};
-    EXPECT_EQ(table.rows(), rows);
-
-    dir.write("b.dat", "# comment\n# x      y\n1 2\n");
-    EXPECT_EQ(ReferenceTable(dir.dir()/"b.dat").column("x"), 0);
-}
-
-TEST(ReferenceTable, saysWhatIsWrong)
-{
-    const TestCase dir;
-    const auto message = [&](const std::string& text)
-    {
-        dir.write("a.csv", text);
-        try
-        {
-            ReferenceTable(dir.dir()/"a.csv").column("u");
-        }
-        catch (const Error& error)
-        {
-            return error.block();
-        }
-        return std::string();
-    };
-    EXPECT_NE(message("x,y\n1,2\n").find("no column u"), std::string::npos);
-    EXPECT_NE(message("u,y\n1,2\n3\n").find("line 3"), std::string::npos);
-    EXPECT_NE(message("u,y\n1,2\n3,z\n").find("2 numbers"), std::string::npos);
-    EXPECT_NE(message("u,y\n").find("no row"), std::string::npos);
-    EXPECT_EQ(message("u,y\n1,2\n"), "");
-    EXPECT_THROW(ReferenceTable(dir.dir()/"none.csv"), IOError);
 }
 
 // Cubic between the rows: exact for a cubic, of fourth order otherwise
