@@ -59,9 +59,6 @@ bool Wall::hold(const vector& point, Hold& hold) const
     return true;
 }
 
-<<<<<<< HEAD
-label Wall::net(Particles& particles, const ParticleRange& range) const
-=======
 // Whether a side is to look at a point: corners hold what has passed beside
 // the sides
 bool Wall::looksAt(const label side, const vector& point) const
@@ -77,29 +74,16 @@ bool Wall::looksAt(const label side, const vector& point) const
      && along <= length(side) + (last ? 0 : reach);
 }
 
-label Wall::net(Particles& particles) const
->>>>>>> 762165e57d501c6a193310c2cd720961769564fd
+label Wall::net(Particles& particles, const ParticleRange& range) const
 {
     const vector velocity = this->velocity();
     const vector displacement = displacement_;
     label hits = 0;
-    #pragma omp parallel for schedule(static) reduction(+: hits)
-    for (label i = 0; i < particles.awake().end; ++i)
+    for (label i = range.begin; i < range.end; ++i)
     {
-<<<<<<< HEAD
-        const vector p = points_[s] + displacement_;
-        const vector t = tangent(s), n = normal(s);
-        // Corners hold what has passed beside the segments
-        const scalar begin = s == 0 && !closed_ ? 0 : -reach;
-        const scalar end =
-            length(s)
-          + (s == segmentCount() - 1 && !closed_ ? 0 : reach);
-        for (label i = range.begin; i < range.end; ++i)
-=======
         vector r = particles.r[i] - displacement;
         NearSides::Range sides = nearSides_.of(r);
         for (const label* s = sides.begin(); s != sides.end(); )
->>>>>>> 762165e57d501c6a193310c2cd720961769564fd
         {
             Hold held;
             const label side = *s++;
