@@ -140,6 +140,7 @@ void Scheme::correctMaterial(const scalar deltaT)
             stress(some);
         }
     );
+    wallTraction_.stick(deltaT);
 }
 
 void Scheme::pressure()
@@ -156,6 +157,7 @@ void Scheme::extrapolateStress()
 {
     neighbourhood_.refreshImages(wallStressWalk_.fields());
     wallStressWalk_.run(neighbourhood_.wallPairs(), *kernel_);
+    wallTraction_.slip();
     stress(particles_.walls());
     neighbourhood_.refreshImages(forceWalk_.fields());
 }
