@@ -175,6 +175,7 @@ void Scheme::forces(const scalar deltaT)
     {
         implicitViscosity_->solve(deltaT);
     }
+    material_.sideWalls().addDrag(particles_, particles_.active(), deltaT);
 }
 
 void Scheme::initialise()
