@@ -148,7 +148,8 @@ int main(int argc, char* argv[])
             Scene
             {
                 caseDir, runTime.startTimeName(), g,
-                material.rho0(), particles, &scheme.wallForces()
+                material.rho0(), particles, &scheme.wallForces(), nullptr,
+                &material.rheology()
             }
         );
         if (args.found("noFunctionObjects"))

@@ -2,6 +2,7 @@
 
 #include "functionObjects/FileFields.H"
 #include "functionObjects/FunctionObject.H"
+#include "rheology/Rheology.H"
 #include "runTime/TimeControls.H"
 #include "selection/Libraries.H"
 #include "setup/readGravity.H"
@@ -100,11 +101,17 @@ void postProcess(const CommandLine& args)
     FileFields files;
     Particles particles;
     files.read(snapshots.front(), particles);
+    const vector g = readGravity(caseDir);
+    const scalar rho0 = properties.get("rho0", dimDensity, Range::positive());
+    const auto eos = EquationOfState::New
+    (
+        properties, "equationOfState", rho0, g.norm()
+    );
+    const auto rheology = Rheology::New(properties, "rheology", *eos);
     FunctionObjects objects
     ({
-        caseDir, snapshots.front().name, readGravity(caseDir),
-        properties.get("rho0", dimDensity, Range::positive()), particles,
-        nullptr, &files
+        caseDir, snapshots.front().name, g, rho0, particles, nullptr, &files,
+        rheology.get()
     });
 
     const dictionary& functions = controlDict.subOrEmptyDict("functions");

@@ -14,6 +14,7 @@
 #include "setup/checkWallDistance.H"
 #include "setup/createParticles.H"
 #include "setup/hydrostatic.H"
+#include "setup/lithostatic.H"
 #include "setup/readGravity.H"
 #include "setup/setFieldValues.H"
 #include "setup/setupOptions.H"
@@ -72,6 +73,7 @@ static int setParticles(int argc, char* argv[])
     checkBetweenPlanes(regions, boundaries, particles);
     const bool hydrostatic =
         setHydrostatic(dict, g, *equationOfState, regions, particles);
+    setLithostatic(dict, g, properties, *equationOfState, particles);
     setFieldValues(dict, regions, particles);
     correctVolumeAndPressure(*equationOfState, particles);
     dict.refuseUnused();

@@ -38,6 +38,15 @@ bool Boundaries::anyMoves() const
     );
 }
 
+bool Boundaries::anyFriction() const
+{
+    return std::any_of
+    (
+        patches_.begin(), patches_.end(),
+        [](const auto& patch) { return patch->muWall() > 0; }
+    );
+}
+
 // In the order of the patches
 std::vector<WallParticle> Boundaries::drawnParticles() const
 {

@@ -156,8 +156,9 @@ void writeGranular
     {
         const bool shown =
             info.name == "V" || info.name == "p" || info.name == "lambda"
-         || info.name == "div" || info.name == "gammaDot" || info.name == "I";
-        if ((info.state && info.used) || shown)
+         || info.name == "div" || info.name == "gammaDot" || info.name == "I"
+         || info.name == "illPosed";
+        if ((info.state || shown) && info.used)
         {
             addField(*data, info, range, digits);
         }
@@ -192,9 +193,13 @@ void writeWalls
             range, digits
         )
     );
-    for (const char* name : {"U", "p", "rho", "m", "s"})
+    for (const char* name : {"U", "p", "rho", "m", "s", "tauWall"})
     {
-        addField(*data, particles.field(name), range, digits);
+        const FieldInfo& info = particles.field(name);
+        if (info.used)
+        {
+            addField(*data, info, range, digits);
+        }
     }
     addStress(*data, particles, range, digits);
     writePolyData(*data, path, options);

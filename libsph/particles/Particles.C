@@ -56,6 +56,10 @@ Particles::Particles(const scalar spacing)
             "stress over density squared [Pa m6/kg2]"
         },
         {"Vg", K::scalar, {&Vg}, no, no, "volume, 0 for walls [m2]"},
+        {
+            "illPosed", K::scalar, {&illPosed}, no, no,
+            "C: > 0 where mu(I) is ill-posed", no
+        },
         {"n", K::vector, {&n.x, &n.y}, no, no, "normal of a wall"},
         {"depth", K::scalar, {&depth}, no, no, "depth behind a wall [m]"},
         {"betaT", K::scalar, {&betaT}, no, no, "limit of beta along a wall"},
@@ -63,6 +67,10 @@ Particles::Particles(const scalar spacing)
         {
             "Uwall", K::vector, {&Uwall.x, &Uwall.y}, no, no,
             "velocity of a wall [m/s]"
+        },
+        {
+            "tauWall", K::scalar, {&tauWall}, no, no,
+            "elastic shear of a wall with friction [Pa]", no
         }
     };
     resize(0, 0);

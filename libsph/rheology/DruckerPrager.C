@@ -39,6 +39,11 @@ public:
             }
         );
     }
+
+    std::optional<Friction> friction(scalar) const override
+    {
+        return Friction{mus_, 0};
+    }
 };
 
 static const Rheology::Add<DruckerPrager> add

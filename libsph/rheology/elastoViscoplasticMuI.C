@@ -20,6 +20,7 @@
 //     }
 
 #include "rheology/ElastoViscoplastic.H"
+#include "rheology/muIFriction.H"
 
 #include <cmath>
 
@@ -66,6 +67,11 @@ public:
                 return select(tauTrial <= S0, tauTrial, 2.0*C/(B + root));
             }
         );
+    }
+
+    std::optional<Friction> friction(const scalar I) const override
+    {
+        return muIFriction(mus_, mu2_, I0_, I);
     }
 };
 

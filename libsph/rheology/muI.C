@@ -28,6 +28,7 @@
 //     }
 
 #include "rheology/GeneralisedNewtonian.H"
+#include "rheology/muIFriction.H"
 
 #include <cmath>
 
@@ -95,6 +96,11 @@ public:
             particles.I[i] = P == 0 ? 0 : d_*gammaDot/std::sqrt(P/rhos_);
             setStress(particles, i);
         }
+    }
+
+    std::optional<Friction> friction(const scalar I) const override
+    {
+        return muIFriction(mus_, mu2_, I0_, I);
     }
 
 private:

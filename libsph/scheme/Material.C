@@ -14,12 +14,20 @@ Material::Material
     rho0_(dict.get("rho0", dimDensity, Range::positive())),
     eos_(EquationOfState::New(dict, "equationOfState", rho0_, g.norm())),
     rheology_(Rheology::New(dict, "rheology", *eos_)),
-    turbulence_(Turbulence::New(dict, "turbulence", "laminar", spacing))
+    turbulence_(Turbulence::New(dict, "turbulence", "laminar", spacing)),
+    sideWalls_(SideWalls::New(dict, "sideWalls", "none"))
 {
-    for (const char* entry : {"equationOfState", "rheology", "turbulence"})
+    for
+    (
+        const auto& [entry, missing] :
+        {
+            std::pair("equationOfState", ""), std::pair("rheology", ""),
+            std::pair("turbulence", "laminar"), std::pair("sideWalls", "none")
+        }
+    )
     {
         std::cout << "Selecting " << entry << ' '
-            << dict.getOrDefault<word>(entry, "laminar") << '\n';
+            << dict.getOrDefault<word>(entry, missing) << '\n';
     }
 }
 

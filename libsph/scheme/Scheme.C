@@ -10,10 +10,20 @@ namespace sph
 static std::unique_ptr<ViscousScheme> newViscousScheme
 (
     const dictionary& schemes, const dictionary& solution,
-    const Particles& particles, const Material& material
+    const Particles& particles, const Boundaries& boundaries,
+    const Material& material
 )
 {
     auto scheme = ViscousScheme::New(schemes, "viscousScheme", particles);
+    if (boundaries.anyFriction() && !scheme->stressCarriesShear())
+    {
+        schemes.fail
+        (
+            "viscousScheme",
+            "A CoulombWall acts by its stress: it needs viscousScheme"
+            " stressDivergence"
+        );
+    }
     if (!material.rheology().elastic())
     {
         return scheme;
@@ -70,7 +80,10 @@ Scheme::Scheme
     correction_(Correction::New(schemes, "correction")),
     shifting_(Shifting::New(schemes, "shifting", particles, *kernel_)),
     stressDivergence_(g),
-    viscousScheme_(newViscousScheme(schemes, solution, particles, material)),
+    viscousScheme_
+    (
+        newViscousScheme(schemes, solution, particles, boundaries, material)
+    ),
     artificialViscosity_
     (
         ArtificialViscosity::New
@@ -93,6 +106,7 @@ Scheme::Scheme
     wallVelocity_(particles, boundaries),
     wallStress_(particles, boundaries, material.eos(), g),
     wallVelocityGradient_(particles, boundaries),
+    wallTraction_(particles, boundaries, material.eos(), g),
     wallForces_(particles, boundaries)
 {
     gradientWalk_.add(*correction_);

@@ -140,6 +140,7 @@ void Scheme::correctMaterial(const scalar deltaT)
             stress(some);
         }
     );
+    wallTraction_.stick(deltaT);
 }
 
 void Scheme::pressure()
@@ -156,6 +157,7 @@ void Scheme::extrapolateStress()
 {
     neighbourhood_.refreshImages(wallStressWalk_.fields());
     wallStressWalk_.run(neighbourhood_.wallPairs(), *kernel_);
+    wallTraction_.slip();
     stress(particles_.walls());
     neighbourhood_.refreshImages(forceWalk_.fields());
 }
@@ -172,6 +174,22 @@ void Scheme::forces(const scalar deltaT)
     if (implicitViscosity_)
     {
         implicitViscosity_->solve(deltaT);
+    }
+    addSideWallDrag(deltaT);
+}
+
+void Scheme::addSideWallDrag(const scalar deltaT)
+{
+    if (material_.sideWalls().any())
+    {
+        shareOut
+        (
+            particles_.active(),
+            [&](const ParticleRange& some)
+            {
+                material_.sideWalls().addDrag(particles_, some, deltaT);
+            }
+        );
     }
 }
 

@@ -1,5 +1,7 @@
 #include "setup/hydrostatic.H"
 
+#include "setup/lithostatic.H"
+
 #include <algorithm>
 #include <iostream>
 
@@ -29,24 +31,6 @@ scalar hydrostaticPressure
         p += dz/6*(k1 + 2*k2 + 2*k3 + k4);
     }
     return p;
-}
-
-// Unit vector out of the free surface
-static vector readSurfaceNormal(const dictionary& dict, const vector& g)
-{
-    const vector up = dict.getVectorOrDefault
-    (
-        "surfaceNormal", vector(-g.normalized()), dimless
-    );
-    if (!(up.dot(g) < 0))
-    {
-        dict.fail
-        (
-            "surfaceNormal",
-            "The normal of the free surface must point against gravity"
-        );
-    }
-    return up.normalized();
 }
 
 // Depth of every granular particle below the free surface [m]
@@ -85,7 +69,7 @@ bool setHydrostatic
         return false;
     }
     const vector up = readSurfaceNormal(dict, g);
-    const scalar gn = -g.dot(up);
+    const scalar gn = -g.dot(up)*pressureByStress(dict);
     const scalarField z = depths(regions, particles, up);
     if (equationOfState.adaptive())
     {

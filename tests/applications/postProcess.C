@@ -148,3 +148,24 @@ TEST(postProcess, listFunctionObjectsListsNothingElse)
     }
     EXPECT_FALSE(contains(outcome.text, "cubicSpline"));
 }
+
+
+TEST(postProcess, marksWhereTheLawIsIllPosed)
+{
+    const Written where;
+    where.succeed("granularFoamSPH -postProcess -func illPosed -latestTime");
+    const auto after = rows(where, "illPosed/0.02/illPosed.dat");
+    ASSERT_EQ(after.size(), 1u);
+    const auto row = numbers(after[0]);
+    ASSERT_EQ(row.size(), 3u);
+    EXPECT_GT(row[1], 0) << "some flows";
+    EXPECT_LE(row[1], 1);
+    EXPECT_LE(row[2], row[1]) << "what is ill-posed flows";
+
+    where.replace
+    (
+        "constant/granularProperties", "rheology  *elastoViscoplasticMuI;",
+        "rheology Newtonian; NewtonianCoeffs { eta 1; }"
+    );
+    where.fails("-postProcess -func illPosed", "no mu(I)");
+}

@@ -181,7 +181,11 @@ TEST(restartMatrix, knowsEveryFamilyAndBoundary)
     wordList known = RestartFactors::families();
     known.insert
     (
-        known.end(), {"boundary", "functionObject", "region", "runoutLaw"}
+        known.end(),
+        {
+            "boundary", "functionObject", "geometryFormat", "region",
+            "runoutLaw"
+        }
     );
     for (const auto& [family, table] : SelectionTables::all())
     {

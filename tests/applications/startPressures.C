@@ -52,6 +52,27 @@ TEST(startPressures, ofAHydrostaticStartBelongToItsK)
     EXPECT_FALSE(where.has("0/uniform"));
 }
 
+TEST(startPressures, ofALithostaticStartHaveTheirShareSidewards)
+{
+    const AppCase where;
+    where.append("system/setParticlesDict", "stress lithostatic; K0 0.5;");
+    where.succeed("setParticles");
+    Particles particles;
+    readState(where.dir()/"0", particles);
+    const scalar least = 1e-9*rho0gH;
+    for (label i = 0; i < particles.granular().end; ++i)
+    {
+        EXPECT_NEAR(particles.s.yy[i], -particles.p[i]/3, least);
+        EXPECT_NEAR(particles.s.xx[i], particles.p[i]/3, least);
+    }
+    // p = 3/4 of the weight above
+    EXPECT_NEAR
+    (
+        *std::max_element(particles.p.begin(), particles.p.end()),
+        0.75*0.95*rho0gH, 0.01*rho0gH
+    );
+}
+
 TEST(startPressures, stayWhereKIsChangedAfterwards)
 {
     for (const char* entries : {"KFactor 500; H 0.08748;", "K 3e6;"})

@@ -46,15 +46,24 @@ TEST(selection, everyFamilyOfTheIssueOffersAChoice)
         {"equationOfState", {"linear", "Tait"}},
         {
             "rheology",
-            {"Newtonian", "muI", "elastoViscoplasticMuI", "DruckerPrager"}
+            {
+                "Newtonian", "muI", "elastoViscoplasticMuI", "DruckerPrager",
+                "Bingham", "HerschelBulkley", "wellPosedMuI",
+                "elastoViscoplasticHerschelBulkley",
+                "elastoViscoplasticWellPosedMuI"
+            }
         },
         {"viscousScheme", {"stressDivergence", "Morris", "Cleary"}},
         {"correction", {"none", "kernelGradient", "bulkBlended"}},
         {"stabilisation", {"none", "deltaSPH", "velocityPressureCoupling"}},
         {
             "boundary",
-            {"noSlip", "freeSlip", "Morris", "symmetryPlane", "periodic"}
+            {
+                "noSlip", "freeSlip", "CoulombWall", "Morris", "symmetryPlane",
+                "periodic"
+            }
         },
+        {"sideWalls", {"none", "Coulomb"}},
         {"turbulence", {"laminar", "Smagorinsky"}},
         {"integrator", {"symplecticEuler", "velocityVerlet"}},
         {"shifting", {"none", "strainRate"}},
