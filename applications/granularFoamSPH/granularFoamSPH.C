@@ -11,6 +11,7 @@
 #include "integrators/Integrator.H"
 #include "io/caseIO.H"
 #include "io/settings.H"
+#include "io/writeTimeFolder.H"
 #include "runTime/CaseLock.H"
 #include "runTime/CommandLine.H"
 #include "runTime/Time.H"
@@ -24,6 +25,7 @@
 #include "setup/readGravity.H"
 
 #include <iostream>
+#include <optional>
 
 using namespace sph;
 namespace fs = std::filesystem;
@@ -31,18 +33,26 @@ namespace fs = std::filesystem;
 static void write
 (
     const Particles& particles, const SoundSpeed& soundSpeed,
-    const Sleep& sleep, Time& runTime
+    const Sleep& sleep, const FunctionObjects& functions, Time& runTime
 )
 {
-    soundSpeed.write(runTime.timePath());
-    sleep.write(runTime.timePath());
-    runTime.writeState();
-    writeState
+    writeTimeFolder
     (
-        particles, runTime.value(), runTime.timePath(),
+        runTime.timePath(),
+        [&](const fs::path& folder)
         {
-            runTime.writeAscii(), runTime.writeCompressed(),
-            runTime.writePrecision()
+            soundSpeed.write(folder);
+            sleep.write(folder);
+            functions.write(folder);
+            runTime.writeState(folder);
+            writeState
+            (
+                particles, runTime.value(), folder,
+                {
+                    runTime.writeAscii(), runTime.writeCompressed(),
+                    runTime.writePrecision()
+                }
+            );
         }
     );
     runTime.wroteState();
@@ -94,7 +104,12 @@ int main(int argc, char* argv[])
         }
 
         const fs::path caseDir = args.caseDir();
-        const CaseLock lock(caseDir);
+        std::optional<CaseLock> lock;
+        if (!args.found("dry-run"))
+        {
+            lock.emplace(caseDir);
+            removeUnfinished(caseDir);
+        }
         Time runTime(caseDir);
         loadLibraries(runTime.controlDict(), caseDir);
         const dictionary properties =
@@ -201,7 +216,7 @@ int main(int argc, char* argv[])
         {
             scheme.initialise();
         }
-        guard.keep(particles, runTime.value());
+        guard.keep(particles, runTime.value(), true);
         if (args.found("dry-run"))
         {
             printSettings(std::cout, settings);
@@ -217,7 +232,14 @@ int main(int argc, char* argv[])
         (
             caseDir/"effective"/runTime.startTimeName(), settings
         );
-        functions.execute(runTime, true);
+        if (restart)
+        {
+            functions.read(runTime.timePath(), runTime);
+        }
+        else
+        {
+            functions.execute(runTime, true);
+        }
 
         std::cout << "\nStarting time loop: "
             << particles.granular().size() << " granular and "
@@ -235,8 +257,8 @@ int main(int argc, char* argv[])
             functions.execute(runTime);
             if (runTime.writeTime())
             {
-                write(particles, soundSpeed, sleep, runTime);
-                guard.keep(particles, runTime.value());
+                write(particles, soundSpeed, sleep, functions, runTime);
+                guard.keep(particles, runTime.value(), true);
                 scheme.neighbourhood().reset();
             }
             runTime.printExecutionTime();

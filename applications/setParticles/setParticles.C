@@ -6,6 +6,7 @@
 //         hydrostatic start, <startTime>/uniform/equationOfState
 
 #include "io/caseIO.H"
+#include "io/writeTimeFolder.H"
 #include "runTime/CaseLock.H"
 #include "runTime/TimeControls.H"
 #include "scheme/BulkModulusState.H"
@@ -37,6 +38,7 @@ static int setParticles(int argc, char* argv[])
     );
     const fs::path caseDir = args.caseDir();
     const CaseLock lock(caseDir);
+    removeUnfinished(caseDir);
     const fs::path constant = caseDir/"constant";
     args.printBanner();
 
@@ -80,19 +82,23 @@ static int setParticles(int argc, char* argv[])
     reportParticles(regions, boundaries, particles);
 
     std::cout << "\nWriting particles to \"" << time.name << "\"\n";
-    const fs::path folder = caseDir/time.name;
-    std::error_code ignored;
-    fs::remove_all(folder/"uniform", ignored);  // an earlier run's clock and K
-    if (hydrostatic)
-    {
-        BulkModulusState{equationOfState->K()}.write(folder);
-    }
-    writeState
+    writeTimeFolder
     (
-        particles, time.value, folder,
+        caseDir/time.name,
+        [&](const fs::path& folder)
         {
-            controls.writeAscii, controls.writeCompressed,
-            controls.writePrecision
+            if (hydrostatic)
+            {
+                BulkModulusState{equationOfState->K()}.write(folder);
+            }
+            writeState
+            (
+                particles, time.value, folder,
+                {
+                    controls.writeAscii, controls.writeCompressed,
+                    controls.writePrecision
+                }
+            );
         }
     );
     writeSeries(caseDir);

@@ -128,6 +128,15 @@ void Boundaries::setDepths(Particles& particles) const
          && (particles.r[i] - expected[w].r).norm() < 1e-6*spacing_;
         particles.depth[i] = expected[w].depth;
     }
+    if (walls.size() == 0 && !expected.empty())
+    {
+        throw Error
+        (
+            "There are no wall particles at the start time: its walls.vtp is"
+            " missing.\n\nRemove this time folder to start from the one before"
+            " it, or run setParticles."
+        );
+    }
     if (!same)
     {
         throw Error
@@ -135,8 +144,7 @@ void Boundaries::setDepths(Particles& particles) const
             "The wall particles of the start time ("
           + std::to_string(walls.size()) + ") are not those of"
             " constant/boundary (" + std::to_string(expected.size())
-          + "): it was changed, or walls.vtp is missing.\n"
-            "Run setParticles again."
+          + "): it was changed.\nRun setParticles again."
         );
     }
 }

@@ -1,6 +1,7 @@
 #include "deposit/history.H"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace sph
@@ -47,6 +48,27 @@ void RecentValues::add(const scalar time, const scalar value)
     while (values_.size() > 1 && time - values_[1].first >= window_)
     {
         values_.pop_front();
+    }
+}
+
+
+std::vector<scalar> RecentValues::list() const
+{
+    std::vector<scalar> list;
+    for (const auto& [time, value] : values_)
+    {
+        list.insert(list.end(), {time, std::isfinite(value) ? value : 1e300});
+    }
+    return list;
+}
+
+
+void RecentValues::set(const std::vector<scalar>& list)
+{
+    values_.clear();
+    for (std::size_t i = 0; i + 1 < list.size(); i += 2)
+    {
+        values_.emplace_back(list[i], list[i + 1]);
     }
 }
 

@@ -1,5 +1,7 @@
 #include "dictionary/contents.H"
 
+#include "dictionary/keywordPattern.H"
+
 #include <algorithm>
 
 namespace sph
@@ -27,6 +29,21 @@ std::unique_ptr<Entry> Entry::clone(const std::string& scope) const
         copy->dict = dictionary::Contents::of(*dict).clone(scope);
     }
     return copy;
+}
+
+std::size_t Entry::footprint(const std::string& scope) const
+{
+    std::size_t size = sizeof(Entry) + keyword.size() + file.size();
+    for (const Token& token : tokens)
+    {
+        size += sizeof(Token) + token.text.size();
+        if (token.block)
+        {
+            size += dictionary::Contents::of(*token.block).footprint(scope);
+        }
+    }
+    return
+        dict ? size + dictionary::Contents::of(*dict).footprint(scope) : size;
 }
 
 std::string Entry::keywordText() const
@@ -60,29 +77,28 @@ Entry* dictionary::Contents::findLiteral
     const word& keyword, const bool isPattern
 ) const
 {
-    for (const auto& entry : entries)
-    {
-        if (entry->keyword == keyword && bool(entry->pattern) == isPattern)
-        {
-            return entry.get();
-        }
-    }
-    return nullptr;
+    const auto& index = isPattern ? patterns : literals;
+    const auto found = index.find(keyword);
+    return found == index.end() ? nullptr : found->second;
 }
 
 Entry* dictionary::Contents::find
 (
-    const word& keyword, const bool patterns
+    const word& keyword, const bool withPatterns
 ) const
 {
     if (Entry* entry = findLiteral(keyword))
     {
         return entry;
     }
+    if (!withPatterns || patterns.empty() || keyword.size() > maxKeyword)
+    {
+        return nullptr;
+    }
     for (auto iter = entries.rbegin(); iter != entries.rend(); ++iter)
     {
         const auto& pattern = (*iter)->pattern;
-        if (patterns && pattern && std::regex_match(keyword, *pattern))
+        if (pattern && std::regex_match(keyword, *pattern))
         {
             return iter->get();
         }
@@ -92,12 +108,26 @@ Entry* dictionary::Contents::find
 
 Entry* dictionary::Contents::findScoped
 (
-    const word& path, const bool patterns
+    const word& path, const bool withPatterns
+) const
+{
+    std::set<std::pair<const Contents*, std::size_t>> searched;
+    return findScoped(path, withPatterns, searched);
+}
+
+Entry* dictionary::Contents::findScoped
+(
+    const word& path, const bool withPatterns,
+    std::set<std::pair<const Contents*, std::size_t>>& searched
 ) const
 {
     if (Entry* entry = findLiteral(path))
     {
         return entry;
+    }
+    if (!searched.insert({this, path.size()}).second)
+    {
+        return nullptr;
     }
     for
     (
@@ -106,16 +136,19 @@ Entry* dictionary::Contents::findScoped
         dot = path.find('.', dot + 1)
     )
     {
-        const Entry* entry = find(path.substr(0, dot), patterns);
-        Entry* const below = entry && entry->dict
-          ? of(*entry->dict).findScoped(path.substr(dot + 1), patterns)
-          : nullptr;
+        const Entry* entry = find(path.substr(0, dot), withPatterns);
+        Entry* const below = !entry || !entry->dict
+          ? nullptr
+          : of(*entry->dict).findScoped
+            (
+                path.substr(dot + 1), withPatterns, searched
+            );
         if (below)
         {
             return below;
         }
     }
-    return find(path, patterns);
+    return find(path, withPatterns);
 }
 
 void dictionary::Contents::insert(std::unique_ptr<Entry> entry)
@@ -123,7 +156,7 @@ void dictionary::Contents::insert(std::unique_ptr<Entry> entry)
     Entry* present = findLiteral(entry->keyword, bool(entry->pattern));
     if (!present)
     {
-        entries.push_back(std::move(entry));
+        append(std::move(entry));
     }
     else if (present->dict && entry->dict)
     {
@@ -138,8 +171,19 @@ void dictionary::Contents::insert(std::unique_ptr<Entry> entry)
     }
 }
 
+void dictionary::Contents::append(std::unique_ptr<Entry> entry)
+{
+    (entry->pattern ? patterns : literals)[entry->keyword] = entry.get();
+    entries.push_back(std::move(entry));
+}
+
 void dictionary::Contents::remove(const Entry* entry)
 {
+    if (!entry)
+    {
+        return;
+    }
+    (entry->pattern ? patterns : literals).erase(entry->keyword);
     entries.erase
     (
         std::remove_if
@@ -163,7 +207,7 @@ std::unique_ptr<dictionary> dictionary::Contents::clone
     to.endLine = endLine;
     for (const auto& entry : entries)
     {
-        to.entries.push_back(entry->clone(to.subScope(entry->keyword)));
+        to.append(entry->clone(to.subScope(entry->keyword)));
     }
     return copy;
 }
@@ -171,6 +215,16 @@ std::unique_ptr<dictionary> dictionary::Contents::clone
 std::string dictionary::Contents::subScope(const word& keyword) const
 {
     return scope.empty() ? keyword : scope + "." + keyword;
+}
+
+std::size_t dictionary::Contents::footprint(const std::string& newScope) const
+{
+    std::size_t size = sizeof(Contents) + 2*newScope.size();
+    for (const auto& entry : entries)
+    {
+        size += entry->footprint(newScope + "." + entry->keyword);
+    }
+    return size;
 }
 
 wordList dictionary::Contents::literalKeywords() const

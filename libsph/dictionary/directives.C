@@ -108,7 +108,8 @@ std::string Parser::includeFile(const Token& directive)
     const fs::path path =
         (folder/expandText(file.text, file.line)).lexically_normal();
 
-    if (!fs::is_regular_file(path))
+    std::error_code ignored;    // of a name that no file can have
+    if (!fs::is_regular_file(path, ignored))
     {
         if (optional)
         {
@@ -120,6 +121,10 @@ std::string Parser::includeFile(const Token& directive)
           + (fromEtc && folder.empty() ? ": SPH_ETC is not set" : ""),
             directive.line
         );
+    }
+    if (++includes_ > 1000)
+    {
+        fail("More than 1000 files are included", directive.line);
     }
     if (includeDepth_ >= 30)
     {

@@ -1,6 +1,7 @@
 // $name and ${name}: entries and environment variables, taken as they stand
 // when the macro is read.
 
+#include "dictionary/keywordPattern.H"
 #include "dictionary/parser.H"
 
 #include <algorithm>
@@ -79,6 +80,34 @@ Entry* Parser::findVariable(const std::string& name) const
     return nullptr;
 }
 
+TokenList Parser::entryTokens(Entry& entry, const label line) const
+{
+    constexpr std::size_t most = 20000000;
+    expanded_ += entry.footprint(here().scope);
+    if (expanded_ > most)
+    {
+        throw std::invalid_argument
+        (
+            "The macros stand for more than "
+          + std::to_string(most/1000000) + " MB of entries"
+        );
+    }
+    const auto copy = entry.clone(here().scope);
+    entry.expanded = true;
+    if (copy->dict)
+    {
+        Token block;
+        block.kind = Token::Kind::block;
+        block.block = std::move(copy->dict);
+        copy->tokens = {block};
+    }
+    for (Token& token : copy->tokens)
+    {
+        token.line = line;
+    }
+    return copy->tokens;
+}
+
 TokenList Parser::variableTokens
 (
     const std::string& fullName, const label line
@@ -100,22 +129,17 @@ TokenList Parser::variableTokens
         return tokens;
     };
 
+    if (name.size() > maxKeyword)
+    {
+        throw std::invalid_argument
+        (
+            "A macro of " + std::to_string(name.size())
+          + " characters is too long"
+        );
+    }
     if (Entry* const entry = name.empty() ? nullptr : findVariable(name))
     {
-        const auto copy = entry->clone(here().scope);
-        entry->expanded = true;
-        if (copy->dict)
-        {
-            Token block;
-            block.kind = Token::Kind::block;
-            block.block = std::move(copy->dict);
-            copy->tokens = {block};
-        }
-        for (Token& token : copy->tokens)
-        {
-            token.line = line;
-        }
-        return copy->tokens;
+        return entryTokens(*entry, line);
     }
     if (const char* const value = std::getenv(name.c_str()))
     {

@@ -1,5 +1,7 @@
 #include "dictionary/parser.H"
 
+#include "dictionary/keywordPattern.H"
+
 #include <iostream>
 
 namespace sph
@@ -24,14 +26,13 @@ std::regex Parser::compile(const Token& pattern) const
 {
     try
     {
-        return std::regex(pattern.text);
+        return keywordPattern(pattern.text);
     }
-    catch (const std::regex_error&)
+    catch (const std::invalid_argument& error)
     {
         fail
         (
-            "The keyword " + quoted(pattern.text)
-          + " is not a regular expression",
+            "The keyword " + quoted(pattern.text) + ' ' + error.what(),
             pattern.line
         );
     }
@@ -113,6 +114,16 @@ void Parser::readEntries(const Opening* const opening)
 
 void Parser::readEntry(const Token& keyword)
 {
+    if (keyword.text.size() > maxKeyword)
+    {
+        fail
+        (
+            "A keyword of " + std::to_string(keyword.text.size())
+          + " characters is too long; it begins with '"
+          + keyword.text.substr(0, 40) + "'",
+            keyword.line
+        );
+    }
     auto entry = std::make_unique<Entry>();
     entry->keyword = keyword.text;
     entry->file = in_->file();
@@ -133,7 +144,16 @@ void Parser::readEntry(const Token& keyword)
     entry->tokens = readValue(entry.get());
     entry->endLine = in_->line();
     const bool isMacroDictionary =
-        entry->tokens.size() == 1 && entry->tokens[0].block;
+        !entry->tokens.empty() && entry->tokens[0].block;
+    if (isMacroDictionary && entry->tokens.size() > 1)
+    {
+        fail
+        (
+            "Entry '" + entry->keyword + "' is a dictionary: nothing can stand"
+            " behind it, found " + entry->tokens[1].description(),
+            entry->startLine
+        );
+    }
     if (isMacroDictionary)
     {
         const auto block = std::move(entry->tokens[0].block);
@@ -146,12 +166,17 @@ void Parser::readEntry(const Token& keyword)
     store(std::move(entry));
 }
 
+void Parser::checkDepth(const label line) const
+{
+    if (scopes_.size() > 100 || here().scope.size() > 2000)
+    {
+        fail("The dictionaries are nested too deeply", line);
+    }
+}
+
 void Parser::readDictionary(std::unique_ptr<Entry> entry)
 {
-    if (scopes_.size() > 100)
-    {
-        fail("The dictionaries are nested too deeply", entry->startLine);
-    }
+    checkDepth(entry->startLine);
     entry->dict = Contents::make
     (
         in_->file(), here().subScope(entry->keyword)

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <cstdlib>
 #include <cstring>
 
 namespace sph
@@ -98,8 +100,9 @@ Token Tokeniser::number()
     }
     if (result.ec == std::errc::result_out_of_range)
     {
-        if (token.text.find_first_of("eE") == std::string::npos
-         || token.text.find("-", 1) == std::string::npos)
+        // Of what is out of range only this says whether above or below
+        token.value = std::strtod(token.text.c_str(), nullptr);
+        if (!std::isfinite(token.value))
         {
             fail
             (
@@ -107,7 +110,6 @@ Token Tokeniser::number()
                 token.line
             );
         }
-        token.value = 0;
     }
     token.isLabel = token.text.find_first_of(".eE") == std::string::npos;
     return token;
@@ -140,9 +142,11 @@ Token Tokeniser::word()
     return token;
 }
 
-// Parentheses belong to a word as long as they are balanced: div(phi,U)
+// Parentheses belong to a word as long as they are balanced: div(phi,U). None
+// is looked for that closes so many, again and again from each of them
 std::string Tokeniser::wordText(const bool slashes)
 {
+    constexpr label deepest = 50;
     const std::size_t begin = at_;
     std::size_t firstParenthesis = std::string::npos;
     label depth = 0;
@@ -155,7 +159,10 @@ std::string Tokeniser::wordText(const bool slashes)
         if (ahead() == '(')
         {
             firstParenthesis = std::min(firstParenthesis, at_);
-            ++depth;
+            if (++depth > deepest)
+            {
+                break;
+            }
         }
         else if (ahead() == ')' && --depth < 0)
         {

@@ -42,13 +42,7 @@ Tokeniser::Tokeniser
     text_(std::move(text)),
     file_(std::move(file)),
     line_(firstLine)
-{
-    const std::string byteOrderMark = "\xEF\xBB\xBF";
-    if (text_.compare(0, 3, byteOrderMark) == 0)
-    {
-        at_ = 3;
-    }
-}
+{}
 
 void Tokeniser::fail(const std::string& message, const label line) const
 {
@@ -100,17 +94,26 @@ void Tokeniser::skipComment()
     }
 }
 
+// A byte order mark is none of the text, wherever files were put together
 void Tokeniser::skipBlanks()
 {
-    while (!atEnd() && (isSpace(ahead()) || startsComment()))
+    while (!atEnd())
     {
         if (isSpace(ahead()))
         {
             take();
         }
-        else
+        else if (startsComment())
         {
             skipComment();
+        }
+        else if (text_.compare(at_, 3, "\xEF\xBB\xBF") == 0)
+        {
+            at_ += 3;
+        }
+        else
+        {
+            return;
         }
     }
 }

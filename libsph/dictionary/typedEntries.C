@@ -100,7 +100,12 @@ vector dictionary::getVector
     vector value;
     reader.read(value);
     reader.finish();
-    return factor*value;
+    value *= factor;
+    if (!value.allFinite())
+    {
+        fail(key, "Entry '" + key + "' is not finite in SI units");
+    }
+    return value;
 }
 
 vector dictionary::getVectorOrDefault

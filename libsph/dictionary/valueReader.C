@@ -71,6 +71,22 @@ void ValueReader::expect(const char punctuation, const std::string& expected)
     ++at_;
 }
 
+// Few characters must not fill the memory
+void ValueReader::checkRepetitions(const label count) const
+{
+    constexpr label most = 1000000;
+    if (count > most)
+    {
+        fail
+        (
+            "Entry '" + entry_.keyword + "' repeats a value "
+          + std::to_string(count) + " times; at most "
+          + std::to_string(most) + " are read",
+            ahead().line
+        );
+    }
+}
+
 void ValueReader::read(scalar& value)
 {
     value = take(Token::Kind::number, "a number").value;

@@ -116,10 +116,7 @@ void Parser::readBlock
     const Token& brace, const Entry* const entry, TokenList& into
 )
 {
-    if (scopes_.size() > 100)
-    {
-        fail("The dictionaries are nested too deeply", brace.line);
-    }
+    checkDepth(brace.line);
     Opening opening{"", brace.line, brace.line};
     if (!into.empty() && into.back().kind == Token::Kind::word)
     {

@@ -2,6 +2,8 @@
 
 #include "primitives/error.H"
 
+#include <cerrno>
+#include <cstring>
 #include <iomanip>
 #include <sstream>
 
@@ -54,9 +56,14 @@ DataFile::DataFile
     const wordList& comments, const wordList& columns
 )
 :
-    path_(path),
-    os_(path)
+    path_(path)
 {
+    errno = 0;
+    os_.open(path);
+    if (!os_)
+    {
+        fail(errno);
+    }
     for (const word& comment : comments)
     {
         os_ << "# " << comment << '\n';
@@ -96,11 +103,28 @@ void DataFile::write(const wordList& words, const std::vector<scalar>& row)
 void DataFile::endRow()
 {
     os_ << '\n';
+    errno = 0;
     os_.flush();
     if (!os_)
     {
-        throw Error("Cannot write " + path_.string());
+        // No half row stays
+        const int reason = errno;
+        os_.close();
+        std::error_code ignored;
+        std::filesystem::resize_file(path_, size_, ignored);
+        fail(reason);
     }
+    size_ = os_.tellp();
+}
+
+
+void DataFile::fail(const int reason) const
+{
+    throw Error
+    (
+        "Cannot write " + path_.string() + ": "
+      + std::strerror(reason ? reason : EIO)
+    );
 }
 
 

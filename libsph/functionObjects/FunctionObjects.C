@@ -2,9 +2,12 @@
 
 #include "deposit/magnitude.H"
 #include "functionObjects/FileFields.H"
+#include "primitives/writeFile.H"
 
 #include <cmath>
+#include <iomanip>
 #include <iostream>
+#include <sstream>
 
 namespace sph
 {
@@ -114,12 +117,27 @@ struct FunctionObjects::Data
 {
     const Scene scene;
     std::vector<Scheduled> list;
+    std::string states;     // of a last step, before what it adds
+
+    std::string currentStates() const
+    {
+        std::ostringstream os;
+        os << std::setprecision(17);
+        for (const Scheduled& entry : list)
+        {
+            os  << entry.name << "\n{\n"
+                << "    period          " << entry.lastPeriod << ";\n";
+            entry.object->writeState(os);
+            os  << "}\n\n";
+        }
+        return os.str();
+    }
 };
 
 
 FunctionObjects::FunctionObjects(const Scene& scene)
 :
-    data_(new Data{scene, {}})
+    data_(new Data{scene, {}, {}})
 {}
 
 
@@ -170,9 +188,11 @@ void FunctionObjects::execute(Time& runTime, const bool start)
             entry.execute(runTime);
         }
     }
-    // The last state belongs to every record
+    // The last state belongs to every record; a run that goes on from here
+    // shall not know that it was the last
     if (!start && !runTime.run())
     {
+        data_->states = data_->currentStates();
         for (Scheduled& entry : data_->list)
         {
             if (!entry.executed)
@@ -193,6 +213,74 @@ void FunctionObjects::execute(const scalar time)
         if (!stop.empty())
         {
             std::cout << entry.name << ": " << stop << '\n';
+        }
+    }
+}
+
+
+static std::filesystem::path stateFile(const std::filesystem::path& timeFolder)
+{
+    return timeFolder/"uniform"/"functionObjects";
+}
+
+
+void FunctionObjects::write(const std::filesystem::path& timeFolder) const
+{
+    if (data_->list.empty())
+    {
+        return;
+    }
+    writeFile
+    (
+        stateFile(timeFolder),
+        [&](std::ostream& os)
+        {
+            os  << "FoamFile\n{\n"
+                << "    version     2.0;\n"
+                << "    format      ascii;\n"
+                << "    class       dictionary;\n"
+                << "    location    \""
+                << timeFolder.filename().string() << "/uniform\";\n"
+                << "    object      functionObjects;\n"
+                << "}\n\n"
+                << (
+                        data_->states.empty()
+                      ? data_->currentStates() : data_->states
+                    )
+                // A file that was cut short has no such entry
+                << "count           " << data_->list.size() << ";\n";
+        }
+    );
+}
+
+
+void FunctionObjects::read
+(
+    const std::filesystem::path& timeFolder, const Time& runTime
+)
+{
+    for (Scheduled& entry : data_->list)
+    {
+        entry.due(runTime);
+    }
+    const std::filesystem::path file = stateFile(timeFolder);
+    if (!std::filesystem::exists(file))
+    {
+        return;
+    }
+    const dictionary states = dictionary::fromFile(file);
+    states.get<label>("count");
+    for (Scheduled& entry : data_->list)
+    {
+        if (states.isDict(entry.name))
+        {
+            const dictionary& state = states.subDict(entry.name);
+            entry.lastPeriod = std::int64_t
+            (
+                state.get("period", dimless, Range::between(-9e15, 9e15))
+            );
+            entry.object->readState(state);
+            state.refuseUnused();
         }
     }
 }

@@ -74,6 +74,16 @@ public:
         ++calls_;
     }
 
+    void writeState(std::ostream& os) const override
+    {
+        os << "    calls           " << calls_ << ";\n";
+    }
+
+    void readState(const dictionary& state) override
+    {
+        calls_ = state.get<label>("calls");
+    }
+
 private:
     void open()
     {

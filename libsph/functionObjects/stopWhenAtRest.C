@@ -18,6 +18,7 @@
 #include "functionObjects/FunctionObject.H"
 
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace sph
@@ -109,7 +110,34 @@ public:
         }
     }
 
+    void writeState(std::ostream& os) const override
+    {
+        os << "    nextSample      " << nextSample_ << ";\n";
+        write(os, "fronts", fronts_);
+        write(os, "heights", heights_);
+    }
+
+    void readState(const dictionary& state) override
+    {
+        nextSample_ = state.get<scalar>("nextSample");
+        fronts_.set(state.get<std::vector<scalar>>("fronts"));
+        heights_.set(state.get<std::vector<scalar>>("heights"));
+    }
+
 private:
+    static void write
+    (
+        std::ostream& os, const word& name, const RecentValues& values
+    )
+    {
+        os << "    " << std::left << std::setw(16) << name << '(';
+        for (const scalar value : values.list())
+        {
+            os << ' ' << value;
+        }
+        os << " );\n";
+    }
+
     scalar slowFraction() const
     {
         scalar mass = 0, slow = 0;

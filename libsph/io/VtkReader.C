@@ -1,6 +1,13 @@
 #include "io/VtkReader.H"
 
+#include "io/VtkParser.H"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <string>
+#include <vector>
+#include <vtkAbstractArray.h>
 #include <vtkObjectFactory.h>
 #include <vtkXMLDataElement.h>
 
@@ -10,27 +17,108 @@ namespace sph
 namespace
 {
 
-// The first array below element whose type is unknown, nullptr if there is none
-vtkXMLDataElement* arrayWithoutType(vtkXMLDataElement& element)
+std::string nameOf(vtkXMLDataElement& element)
 {
-    const std::string kind = element.GetName() ? element.GetName() : "";
-    int type = 0;
-    if
-    (
-        (kind == "DataArray" || kind == "Array")
-     && !element.GetWordTypeAttribute("type", type)
-    )
-    {
-        return &element;
-    }
+    return element.GetName() ? element.GetName() : "";
+}
+
+std::vector<vtkXMLDataElement*> below(vtkXMLDataElement& element)
+{
+    std::vector<vtkXMLDataElement*> elements;
     for (int i = 0; i < element.GetNumberOfNestedElements(); ++i)
     {
-        if (auto* found = arrayWithoutType(*element.GetNestedElement(i)))
+        elements.push_back(element.GetNestedElement(i));
+    }
+    return elements;
+}
+
+// What an attribute says, of which there may be none
+double number
+(
+    vtkXMLDataElement& element, const char* attribute, const double otherwise
+)
+{
+    double value = otherwise;
+    element.GetScalarAttribute(attribute, value);
+    return value;
+}
+
+// Leaves out what nobody here asks for: cells, lists of words, keys of VTK
+void prune(vtkXMLDataElement& element)
+{
+    for (const char* cells : {"Verts", "Lines", "Strips", "Polys"})
+    {
+        const std::string number = std::string("NumberOf") + cells;
+        if (nameOf(element) == "Piece")
         {
-            return found;
+            element.SetIntAttribute(number.c_str(), 0);
         }
     }
-    return nullptr;
+    for (vtkXMLDataElement* part : below(element))
+    {
+        const std::string name = nameOf(*part);
+        if
+        (
+            name == "CellData" || name == "Array" || name == "InformationKey"
+         || name == "Verts" || name == "Lines" || name == "Strips"
+         || name == "Polys"
+        )
+        {
+            element.RemoveNestedElement(part);
+        }
+        else
+        {
+            prune(*part);
+        }
+    }
+}
+
+// Values of the arrays below an element, each with so many tuples; error: why
+// one of them cannot be read
+double valuesBelow
+(
+    vtkXMLDataElement& element, double tuples, std::string& error
+)
+{
+    double count = 0;
+    if (nameOf(element) == "Piece")
+    {
+        tuples = number(element, "NumberOfPoints", 0);
+    }
+    for (vtkXMLDataElement* part : below(element))
+    {
+        count += valuesBelow(*part, tuples, error);
+    }
+    if (nameOf(element) != "DataArray")
+    {
+        return count;
+    }
+
+    const char* given = element.GetAttribute("Name");
+    const std::string name = given ? given : "?";
+    int type = 0;
+    if (!element.GetWordTypeAttribute("type", type))
+    {
+        error = "The type of array " + name + " is unknown";
+    }
+    const double components = number(element, "NumberOfComponents", 1);
+    tuples = number(element, "NumberOfTuples", tuples);
+    if (!(components >= 1 && components <= 100 && tuples >= 0))
+    {
+        error = "The sizes of array " + name + " are wrong";
+    }
+    return count + components*tuples;
+}
+
+// Appended data may stand between the parser's end and that of the file
+bool hasEnd(const char* file)
+{
+    std::ifstream is(file, std::ios::binary | std::ios::ate);
+    const std::streamoff tail = std::min<std::streamoff>(is.tellg(), 1000);
+    std::string text(std::size_t(std::max<std::streamoff>(tail, 0)), ' ');
+    is.seekg(-tail, std::ios::end);
+    is.read(text.data(), tail);
+    return text.find("</VTKFile>") != std::string::npos;
 }
 
 } // namespace
@@ -38,15 +126,65 @@ vtkXMLDataElement* arrayWithoutType(vtkXMLDataElement& element)
 
 vtkStandardNewMacro(VtkReader);
 
+void VtkReader::CreateXMLParser()
+{
+    if (XMLParser)
+    {
+        DestroyXMLParser();
+    }
+    XMLParser = VtkParser::New();
+}
+
 int VtkReader::ReadVTKFile(vtkXMLDataElement* root)
 {
-    if (auto* array = arrayWithoutType(*root))
+    std::string error;
+    if (static_cast<VtkParser*>(XMLParser)->tooDeep())
     {
-        const char* name = array->GetAttribute("Name");
-        vtkErrorMacro("The type of array " << (name ? name : "?") << " is unknown");
+        error = "The elements are nested too deeply";
+    }
+    prune(*root);
+
+    // A value takes a byte at least, a thousandth of one if compressed
+    std::error_code ignored;
+    const double size = double(std::filesystem::file_size(FileName, ignored));
+    const double most = size*(root->GetAttribute("compressor") ? 1100 : 1);
+    if (valuesBelow(*root, 0, error) > most && error.empty())
+    {
+        error = "The file is too short for its sizes";
+    }
+    if (!hasEnd(FileName))
+    {
+        error = "The end of the file is missing";
+    }
+    if (!error.empty())
+    {
+        vtkErrorMacro(<< error);
         return 0;
     }
     return Superclass::ReadVTKFile(root);
+}
+
+int VtkReader::ReadArrayValues
+(
+    vtkXMLDataElement* element, const vtkIdType arrayIndex,
+    vtkAbstractArray* array, const vtkIdType startIndex,
+    const vtkIdType numValues, const FieldType type
+)
+{
+    const auto values = std::uint64_t(startIndex + numValues);
+    const bool sound = static_cast<VtkParser*>(XMLParser)->holds
+    (
+        element, values*std::uint64_t(array->GetDataTypeSize())
+    );
+    if (!sound)
+    {
+        vtkErrorMacro(<< "The compressed data are broken");
+        return 0;
+    }
+    return Superclass::ReadArrayValues
+    (
+        element, arrayIndex, array, startIndex, numValues, type
+    );
 }
 
 } // namespace sph

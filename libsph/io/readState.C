@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vtkFieldData.h>
 
@@ -29,13 +30,41 @@ std::optional<scalar> spacingOf(const VtkFile& file)
     return spacing;
 }
 
-void readIds(const VtkFile& file, Particles& particles, const label begin)
+// Whole numbers from 0 to most
+template<class Numbers>
+void readWhole
+(
+    const VtkFile& file, const std::string& name, const scalar most,
+    Numbers& numbers, const label begin
+)
 {
-    const bool given = file.found("id");
+    vtkDataArray& array = file.array(name);
     for (label i = 0; i < file.size(); ++i)
     {
-        particles.id[begin + i] =
-            given ? std::int64_t(file.array("id").GetComponent(i, 0)) : i;
+        const scalar value = array.GetComponent(i, 0);
+        if (!(value >= 0 && value <= most && value == std::floor(value)))
+        {
+            file.fail
+            (
+                "The point array " + name + " must hold whole numbers, but is "
+              + std::to_string(value) + " at point " + std::to_string(i)
+            );
+        }
+        numbers[begin + i] = typename Numbers::value_type(value);
+    }
+}
+
+void readIds(const VtkFile& file, Particles& particles, const label begin)
+{
+    if (file.found("id"))
+    {
+        // Beyond that numbers of double precision are not whole
+        readWhole(file, "id", std::ldexp(1, 53), particles.id, begin);
+        return;
+    }
+    for (label i = 0; i < file.size(); ++i)
+    {
+        particles.id[begin + i] = i;
     }
 }
 
@@ -47,11 +76,12 @@ void checkPositive
 {
     for (label i = 0; i < file.size(); ++i)
     {
-        if (!(values[begin + i] > 0))
+        if (!(values[begin + i] > 0) || !std::isfinite(values[begin + i]))
         {
             file.fail
             (
-                "The point array " + name + " must be greater than 0, but is "
+                "The point array " + name
+              + " must be finite and greater than 0, but is "
               + std::to_string(values[begin + i]) + " at " + file.particle(i)
             );
         }
@@ -116,6 +146,7 @@ bool readFields
         {
             particles.V[i] = particles.m[i]/particles.rho[i];
         }
+        checkPositive(file, "V = m/rho", particles.V, begin);
     }
     return complete;
 }
@@ -128,24 +159,23 @@ void readWalls
 {
     readFields(file, particles, begin, spacing);
     file.read("n", FieldKind::vector, {&particles.n.x, &particles.n.y}, begin);
-    vtkDataArray& patch = file.array("patch");
-    for (label i = 0; i < file.size(); ++i)
-    {
-        particles.patch[begin + i] = label(patch.GetComponent(i, 0));
-    }
+    readWhole
+    (
+        file, "patch", std::numeric_limits<label>::max(), particles.patch,
+        begin
+    );
 }
 
 } // namespace
 
 
+static const char* const advice =
+    "\n\nRemove this time folder to start from the one before it, or run"
+    " setParticles:\nit makes the particles of the start time";
+
 bool readState(const std::filesystem::path& folder, Particles& particles)
 {
-    const VtkFile granular
-    (
-        folder/"granular.vtp",
-        "\n\nRemove this time folder to start from the one before it, or run"
-        " setParticles:\nit makes the particles of the start time"
-    );
+    const VtkFile granular(folder/"granular.vtp", advice);
     if (granular.size() == 0)
     {
         granular.fail("There are no particles in the file");
@@ -153,7 +183,7 @@ bool readState(const std::filesystem::path& folder, Particles& particles)
     std::optional<VtkFile> walls;
     if (std::filesystem::exists(folder/"walls.vtp"))
     {
-        walls.emplace(folder/"walls.vtp", "");
+        walls.emplace(folder/"walls.vtp", advice);
     }
 
     // Null particles first, so that what is in no file is 0

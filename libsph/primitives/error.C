@@ -113,7 +113,16 @@ int runMain(const std::string& application, const std::function<int()>& body)
 {
     try
     {
-        return body();
+        const int code = body();
+        if (!std::cout.flush())
+        {
+            throw Error
+            (
+                "Cannot write all of the output: is the disk full, or the"
+                " reader gone?"
+            );
+        }
+        return code;
     }
     catch (const Error& error)
     {

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 
 namespace sph
 {
@@ -16,6 +17,18 @@ CaseLock::CaseLock(const std::filesystem::path& caseDir)
 :
     descriptor_(::open(caseDir.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
 {
+    if (::access(caseDir.c_str(), W_OK | X_OK) != 0)
+    {
+        const std::string reason = std::strerror(errno);
+        if (descriptor_ >= 0)
+        {
+            ::close(descriptor_);
+        }
+        throw Error
+        (
+            "Cannot write into the case " + caseDir.string() + ": " + reason
+        );
+    }
     if (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
     {
         const bool taken = errno == EWOULDBLOCK;

@@ -206,9 +206,9 @@ void Time::stop(const std::string& reason)
     data_->stopping = true;
 }
 
-void Time::writeState() const
+void Time::writeState(const std::filesystem::path& folder) const
 {
-    data_->state.write(timePath());
+    data_->state.write(folder);
 }
 
 void Time::wroteState()

@@ -45,6 +45,7 @@ Time::Data::Data
     else
     {
         state.deltaT = controls.deltaT;
+        warnOfNewStart();
     }
     writeIndex = presentWriteIndex();
 
@@ -103,6 +104,23 @@ Time::Instant Time::Data::findStart() const
         "There is no time folder " + timeText(controls.startTime) + " in "
       + caseDir.string() + "\n\nAvailable times :" + names
     );
+}
+
+// Not of the first time, nor of startTime: setParticles makes them
+void Time::Data::warnOfNewStart() const
+{
+    const std::vector<Instant> times = findTimes(caseDir);
+    const bool expected =
+        times.empty() || start.name == times.front().name
+     || sameTime(start.value, controls.startTime);
+    if (!expected)
+    {
+        warning
+        (
+            "There is no " + start.name + "/uniform/time of this name: a new"
+            " start from the particles\n    of this time, not a restart"
+        );
+    }
 }
 
 // A kill may have left a folder without granular.vtp, which is written last

@@ -9,7 +9,10 @@
 namespace sph
 {
 
-static std::filesystem::path fileOf(const std::filesystem::path& timeFolder)
+std::filesystem::path BulkModulusState::file
+(
+    const std::filesystem::path& timeFolder
+)
 {
     return timeFolder/"uniform"/"equationOfState";
 }
@@ -19,12 +22,11 @@ std::optional<BulkModulusState> BulkModulusState::read
     const std::filesystem::path& timeFolder
 )
 {
-    const std::filesystem::path file = fileOf(timeFolder);
-    if (!std::filesystem::exists(file))
+    if (!std::filesystem::exists(file(timeFolder)))
     {
         return std::nullopt;
     }
-    const dictionary dict = dictionary::fromFile(file);
+    const dictionary dict = dictionary::fromFile(file(timeFolder));
     BulkModulusState state{dict.get("K", dimPressure, Range::positive())};
     if (dict.found("windowStart") || dict.found("windowRungs"))
     {
@@ -46,7 +48,7 @@ void BulkModulusState::write(const std::filesystem::path& timeFolder) const
 {
     writeFile
     (
-        fileOf(timeFolder),
+        file(timeFolder),
         [&](std::ostream& os)
         {
             os  << std::setprecision(17)
@@ -57,13 +59,14 @@ void BulkModulusState::write(const std::filesystem::path& timeFolder) const
                 << "    location    \""
                 << timeFolder.filename().string() << "/uniform\";\n"
                 << "    object      equationOfState;\n"
-                << "}\n\n"
-                << "K               " << K << ";\n";
+                << "}\n\n";
+            // K is last: a file that was cut short has none
             if (window)
             {
-                os  << "\nwindowStart     " << window->start << ";\n"
-                    << "\nwindowRungs     " << window->rungs << ";\n";
+                os  << "windowStart     " << window->start << ";\n\n"
+                    << "windowRungs     " << window->rungs << ";\n\n";
             }
+            os  << "K               " << K << ";\n";
         }
     );
 }

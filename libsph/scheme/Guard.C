@@ -1,6 +1,7 @@
 #include "scheme/Guard.H"
 
 #include "io/caseIO.H"
+#include "io/writeTimeFolder.H"
 #include "scheme/BulkModulusState.H"
 #include "scheme/SoundSpeed.H"
 
@@ -80,23 +81,37 @@ void Guard::check(Particles& particles, const Time& runTime)
     }
     const std::string message =
         diagnosis(particles, runTime.value(), runTime.deltaT());
-    const word name = runTime.timeName(keptTime_);
-    const std::filesystem::path folder = runTime.caseDir()/name;
     restore(particles);
-    BulkModulusState{keptK_}.write(folder);
-    writeState
+    if (!keptIsWritten_)
+    {
+        write(particles, runTime);
+    }
+    throw Error
     (
-        particles, keptTime_, folder,
+        message + "\nThe last good state was written to time "
+      + runTime.timeName(keptTime_) + "."
+    );
+}
+
+void Guard::write(const Particles& particles, const Time& runTime) const
+{
+    writeTimeFolder
+    (
+        runTime.caseDir()/runTime.timeName(keptTime_),
+        [&](const std::filesystem::path& folder)
         {
-            runTime.writeAscii(), runTime.writeCompressed(),
-            runTime.writePrecision()
+            BulkModulusState{keptK_}.write(folder);
+            writeState
+            (
+                particles, keptTime_, folder,
+                {
+                    runTime.writeAscii(), runTime.writeCompressed(),
+                    runTime.writePrecision()
+                }
+            );
         }
     );
     writeSeries(runTime.caseDir());
-    throw Error
-    (
-        message + "\nThe last good state was written to time " + name + "."
-    );
 }
 
 scalar Guard::aMax(const Particles& particles) const
@@ -118,8 +133,12 @@ bool Guard::sound(const Particles& particles) const
     return bad == 0;
 }
 
-void Guard::keep(const Particles& particles, const scalar time)
+void Guard::keep
+(
+    const Particles& particles, const scalar time, const bool written
+)
 {
+    keptIsWritten_ = written;
     const label n = particles.granular().end;
     keptTime_ = time;
     keptK_ = material_.eos().K();

@@ -155,6 +155,16 @@ void SoundSpeed::start(const std::filesystem::path& timeFolder)
 void SoundSpeed::read(const std::filesystem::path& timeFolder)
 {
     const auto state = BulkModulusState::read(timeFolder);
+    if (!state && eos_.adaptive())
+    {
+        throw IOError
+        (
+            "There is no such file: nobody knows the bulk modulus of this time,"
+            " which\nadaptive yes lets follow\n\nRemove this time folder to"
+            " start from the one before it",
+            BulkModulusState::file(timeFolder).string()
+        );
+    }
     if (!state)
     {
         return;

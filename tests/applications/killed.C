@@ -65,6 +65,7 @@ TEST(killed, endsAsARunThatWasNot)
     }
     where.succeed("granularFoamSPH");
 
+    EXPECT_FALSE(where.hasTemporary());
     EXPECT_EQ(timesOf(where), nTimes + 1);
     for (const Time::Instant& time : Time::findTimes(where.dir()))
     {

@@ -138,6 +138,34 @@ TEST(repeatability, restartBitForBitWithAGate)
     EXPECT_TRUE(says(outcome, "Run setParticles again"));
 }
 
+// What function objects remember is written, too: the run stops at the same step,
+// and for the same reason, although the state is written within the window that
+// it looks back
+TEST(repeatability, restartBitForBitUntilItStopsByItself)
+{
+    const AppCase where;
+    where.set("system/controlDict", "endTime", "1.1");
+    where.set("system/controlDict", "writeInterval", "0.02");
+    where.succeed("setParticles");
+    const auto reason = [&]
+    {
+        const Outcome outcome = where.succeed("granularFoamSPH");
+        std::smatch match;
+        const std::regex regex("Stopping at time [^\n]*");
+        EXPECT_TRUE(std::regex_search(outcome.text, match, regex));
+        return match.str();
+    };
+    const std::string expected = reason();
+    const word last = where.latestTime();
+    ASSERT_LT(std::stod(last), 1.1);
+    const auto end = stateOf(where, last);
+
+    where.remove(last);
+    EXPECT_EQ(reason(), expected);
+    EXPECT_EQ(where.latestTime(), last);
+    expectSame(stateOf(where, last), end);
+}
+
 TEST(repeatability, threadsDoNotChangeTheResult)
 {
     const AppCase one, two;

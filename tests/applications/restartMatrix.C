@@ -134,7 +134,7 @@ void expectRestartIsExact(const Pairwise::Choices& row)
     const wordList rows = where.extremes(from);
     ASSERT_GT(rows.size(), 2u);
     ASSERT_GT(wholeRows.size(), rows.size());
-    for (std::size_t k = 1; k < rows.size(); ++k)
+    for (std::size_t k = 0; k < rows.size(); ++k)
     {
         const word& expected = wholeRows[wholeRows.size() - rows.size() + k];
         ASSERT_EQ(rows[k], expected) << "row " << k;

@@ -6,8 +6,10 @@
 #include "runTime/TestCase.H"
 
 #include <csignal>
+#include <cstring>
 #include <ostream>
 #include <random>
+#include <regex>
 #include <sys/resource.h>
 
 namespace sph
@@ -85,9 +87,9 @@ TEST_F(BrokenFiles, truncationAnywhereIsAnError)
     {
         const std::string text = good(format);
         ASSERT_EQ(errorOfReading(text), "") << format;
-        for (std::size_t part = 0; part < 60; ++part)
+        for (std::size_t part = 0; part <= 60; ++part)
         {
-            const std::size_t length = part*(text.size() - 40)/60;
+            const std::size_t length = part*(text.size() - 2)/60;
             EXPECT_CONTAINS
             (
                 errorOfReading(text.substr(0, length)), "0/granular.vtp"
@@ -108,6 +110,68 @@ TEST_F(BrokenFiles, garbageIsAnError)
     )
     {
         EXPECT_CONTAINS(errorOfReading(text), "FATAL IO ERROR") << text;
+    }
+}
+
+// What VTK would not survive, or take all memory for
+TEST_F(BrokenFiles, impossibleSizesAreErrors)
+{
+    const auto changed = [&](const char* format, auto from, const std::string& to)
+    {
+        return std::regex_replace
+        (
+            good(format), std::regex(from), to,
+            std::regex_constants::format_first_only
+        );
+    };
+    for (const char* format : formats)
+    {
+        EXPECT_CONTAINS
+        (
+            errorOfReading
+            (
+                changed(format, "Points=\"30\"", "Points=\"900000000\"")
+            ),
+            "The file is too short for its sizes"
+        ) << format;
+        EXPECT_CONTAINS
+        (
+            errorOfReading
+            (
+                changed(format, "Components=\"3\"", "Components=\"90000000\"")
+            ),
+            "The sizes of array U are wrong"
+        ) << format;
+    }
+    const std::string depth(200000, '<');
+    EXPECT_CONTAINS
+    (
+        errorOfReading(std::regex_replace(depth, std::regex("<"), "<a>")),
+        "The file is broken"
+    );
+}
+
+// Number of blocks, their size, and that of the last one; here there is but one
+TEST_F(BrokenFiles, brokenBlocksAreErrors)
+{
+    const std::string text = good("compressed");
+    const std::size_t head = text.find("encoding=\"raw\"");
+    const std::size_t blocks = text.find('_', head) + 1;
+    for (const std::size_t word : {0, 1, 2})
+    {
+        for (const std::uint64_t wrong : {0ull, 3ull, 1ull << 33, ~0ull})
+        {
+            std::string spoilt = text;
+            const std::size_t at = blocks + 8*word;
+            const bool same =
+                std::memcmp(spoilt.data() + at, &wrong, sizeof(wrong)) == 0;
+            std::memcpy(spoilt.data() + at, &wrong, sizeof(wrong));
+            const std::string error = errorOfReading(spoilt);
+            if (!same && (word != 1 || wrong == 0))
+            {
+                EXPECT_CONTAINS(error, "The compressed data are broken");
+            }
+        }
     }
 }
 

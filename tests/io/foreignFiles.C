@@ -179,15 +179,30 @@ TEST_F(ForeignFiles, wrongValuesNameTheParticle)
     EXPECT_CONTAINS
     (
         error(vtp({id, U, rho, changed(m, "250 0 500")})),
-        "m must be greater than 0, but is 0.000000 at particle 10"
+        "m must be finite and greater than 0, but is 0.000000 at particle 10"
     );
     EXPECT_CONTAINS
     (
-        error(vtp({U, changed(rho, "1 1 -2"), m})), "rho must be greater"
+        error(vtp({U, changed(rho, "1 1 -2"), m})), "rho must be finite and greater"
     );
     EXPECT_CONTAINS
     (
         error(vtp({U, changed(rho, "1 1 -2"), m})), "particle 2"
+    );
+    EXPECT_CONTAINS
+    (
+        error(vtp({U, changed(rho, "1 1e-30 1"), changed(m, "1 1e300 1")})),
+        "V = m/rho must be finite"
+    );
+    const Array ids{"id", "Float64", 1, "1 2.5 3"};
+    EXPECT_CONTAINS
+    (
+        error(vtp({ids, U, rho, m})),
+        "id must hold whole numbers, but is 2.500000 at point 1"
+    );
+    EXPECT_CONTAINS
+    (
+        error(vtp({changed(ids, "1 2 1e300"), U, rho, m})), "whole numbers"
     );
     EXPECT_CONTAINS
     (

@@ -48,7 +48,7 @@ void run(const TestCase& testCase, Steps& steps, const std::int64_t lastIndex)
         if (time.writeTime())
         {
             std::filesystem::create_directories(time.timePath());
-            time.writeState();
+            time.writeState(time.timePath());
             time.wroteState();
         }
     }
@@ -140,7 +140,7 @@ TEST(restart, uniformTimeIsADictionaryWithFullPrecision)
     );
     Time time(testCase.dir());
     time.loop(1);
-    time.writeState();
+    time.writeState(time.timePath());
     time.wroteState();
     const dictionary dict =
         dictionary::fromFile(time.timePath()/"uniform"/"time");
@@ -162,7 +162,7 @@ TEST(restart, aRenamedFolderIsAFreshStart)
     {
         Time time(testCase.dir());
         time.loop(1);
-        time.writeState();
+        time.writeState(time.timePath());
         time.wroteState();
     }
     std::filesystem::remove_all(testCase.dir()/"0");

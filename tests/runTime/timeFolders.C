@@ -23,7 +23,7 @@ void runToTheEnd(Time& time)
         if (time.writeTime())
         {
             std::filesystem::create_directories(time.timePath());
-            time.writeState();
+            time.writeState(time.timePath());
             time.wroteState();
         }
     }
