@@ -4,6 +4,7 @@
 // equation numbers stand at the calls.
 
 #include "estimate.H"
+#include "lists.H"
 #include "postProcess.H"
 
 #include "boundaries/Boundaries.H"
@@ -20,7 +21,6 @@
 #include "scheme/SoundSpeed.H"
 #include "scheme/timeStep.H"
 #include "selection/Libraries.H"
-#include "selection/listModels.H"
 #include "setup/readGravity.H"
 
 #include <iostream>
@@ -59,29 +59,18 @@ int main(int argc, char* argv[])
                 "dry-run", "",
                 "check the case, print settings and estimates, and exit"
             },
-            {"listModels", "", "list every selection table and exit"},
-            {
-                "listFunctionObjects", "",
-                "list the types of function objects and exit"
-            },
             {"noFunctionObjects", "", "do not execute function objects"}
         };
-        const auto more = postProcessOptions();
-        options.insert(options.end(), more.begin(), more.end());
+        for (const auto& more : {listOptions(), postProcessOptions()})
+        {
+            options.insert(options.end(), more.begin(), more.end());
+        }
         const CommandLine args
         (
             argc, argv, "Flow of dry granular material by SPH", options
         );
-        if (args.found("listModels"))
+        if (list(args))
         {
-            loadLibrariesOfCase(args.casePath());
-            listModels(std::cout);
-            return 0;
-        }
-        if (args.found("listFunctionObjects"))
-        {
-            loadLibrariesOfCase(args.casePath());
-            listModels(std::cout, FunctionObject::family);
             return 0;
         }
         const bool onlyPostProcess = postProcessing(args);
@@ -119,7 +108,7 @@ int main(int argc, char* argv[])
         (
             schemes, solution, particles, boundaries, material, g
         );
-        const auto integrator = Integrator::New(solution, "integrator");
+        const auto integrator = Integrator::New(solution);
         std::cout << "Selecting integrator "
             << solution.get<word>("integrator") << '\n';
         const TimeStep timeStep(solution, material, scheme.kernel().h());

@@ -3,6 +3,7 @@
 #include "functionObjects/FileFields.H"
 #include "functionObjects/FunctionObject.H"
 #include "runTime/TimeControls.H"
+#include "scheme/Material.H"
 #include "selection/Libraries.H"
 #include "setup/readGravity.H"
 
@@ -103,7 +104,7 @@ void postProcess(const CommandLine& args)
     FunctionObjects objects
     ({
         caseDir, snapshots.front().name, readGravity(caseDir),
-        properties.get("rho0", dimDensity, Range::positive()), particles,
+        Material::readRho0(properties), particles,
         nullptr, &files
     });
 

@@ -9,17 +9,36 @@ namespace sph
 
 static Motion readMotion(const dictionary& dict)
 {
-    return dict.found("motion") ? Motion(dict.subDict("motion")) : Motion();
+    return
+        dict.found({"motion", "motion of the wall itself: a gate", "{}"})
+      ? Motion(dict.subDict("motion")) : Motion();
 }
 
 Wall::Wall(const dictionary& dict, const word& name, const scalar spacing)
 :
     Boundary(name, spacing),
-    points_(dict.get<std::vector<vector>>("points")),
-    layers_(dict.getOrDefault<label>("layers", 3)),
+    points_
+    (
+        dict.get<std::vector<vector>>
+        ({
+            "points", "polyline [m] with the material on its left-hand side",
+            "((0 0 0) (0.4 0 0))"
+        })
+    ),
+    layers_
+    (
+        dict.getLabelOrDefault
+        (
+            {"layers", "rows of wall particles behind it"}, 3, Range{1}
+        )
+    ),
     velocity_
     (
-        dict.getVectorOrDefault("velocity", vector::Zero(), dimVelocity)
+        dict.getVectorOrDefault
+        (
+            {"velocity", "velocity of its surface, as of a belt"},
+            vector::Zero(), dimVelocity
+        )
     ),
     motion_(readMotion(dict))
 {
@@ -34,10 +53,6 @@ Wall::Wall(const dictionary& dict, const word& name, const scalar spacing)
             dict.fail("points", "Two points of the wall coincide");
         }
         tangents_.push_back((points_[s + 1] - points_[s]).normalized());
-    }
-    if (layers_ < 1)
-    {
-        dict.fail("layers", "A wall needs at least one layer of particles");
     }
     closed_ = points_.size() > 3
         && (points_.front() - points_.back()).norm() < 1e-6*spacing;

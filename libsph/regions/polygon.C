@@ -101,7 +101,14 @@ class polygon : public Outline
 public:
     explicit polygon(const dictionary& dict)
     :
-        Outline(dict.get<std::vector<vector>>("points"))
+        Outline
+        (
+            dict.get<std::vector<vector>>
+            ({
+                "points", "corners [m] in order; the last joins the first",
+                "((0 0 0) (0.2 0 0) (0.1 0.1 0))"
+            })
+        )
     {
         if (points().size() < 3)
         {

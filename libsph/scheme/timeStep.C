@@ -17,13 +17,20 @@ TimeStep::TimeStep
     h_(h),
     viscousLimit_
     (
-        solution.getOrDefault("viscousLimit", true)
+        solution.getOrDefault
+        (
+            {"viscousLimit", "steps keep to the viscous limit"}, true
+        )
      && !material.rheology().elastic()
      && !ImplicitViscosity::selected(solution)
     ),
     viscousNumber_
     (
-        solution.getOrDefault("viscousNumber", 0.1, dimless, Range::positive())
+        solution.getOrDefault
+        (
+            {"viscousNumber", "viscous step limit over h^2/nu, Eq. 33"}, 0.1,
+            dimless, Range::positive()
+        )
     )
 {}
 

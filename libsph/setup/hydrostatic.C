@@ -36,7 +36,8 @@ static vector readSurfaceNormal(const dictionary& dict, const vector& g)
 {
     const vector up = dict.getVectorOrDefault
     (
-        "surfaceNormal", vector(-g.normalized()), dimless
+        {"surfaceNormal", "out of the surface; else up", "(0 1 0)"},
+        vector(-g.normalized()), dimless
     );
     if (!(up.dot(g) < 0))
     {
@@ -78,7 +79,8 @@ bool setHydrostatic
     const std::vector<RegionParticles>& regions, Particles& particles
 )
 {
-    if (!dict.getOrDefault("hydrostatic", true) || g.norm() == 0)
+    const Key hydrostatic("hydrostatic", "the start has the pressures of rest");
+    if (!dict.getOrDefault(hydrostatic, true) || g.norm() == 0)
     {
         dict.markUsed("surfaceNormal");
         std::cout << "\nDensity rho0 everywhere\n";
