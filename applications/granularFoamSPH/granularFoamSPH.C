@@ -14,7 +14,9 @@
 #include "io/settings.H"
 #include "runTime/CaseLock.H"
 #include "runTime/CommandLine.H"
+#include "runTime/Progress.H"
 #include "runTime/Time.H"
+#include "runTime/log.H"
 #include "scheme/Guard.H"
 #include "scheme/Scheme.H"
 #include "scheme/Sleep.H"
@@ -24,6 +26,7 @@
 #include "setup/readGravity.H"
 
 #include <iostream>
+#include <optional>
 
 using namespace sph;
 namespace fs = std::filesystem;
@@ -212,13 +215,15 @@ int main(int argc, char* argv[])
         std::cout << "\nStarting time loop: "
             << particles.granular().size() << " granular and "
             << particles.walls().size() << " wall particles\n" << std::endl;
+        std::optional<Progress> progress;
+        progress.emplace(runTime, particles.granular().size());
         while (runTime.loop(timeStep.stable(particles)))
         {
             const scalar dt = runTime.deltaT();
             step(runTime.value(), dt);
 
             timeStep.printCourant(particles, dt);
-            std::cout << "Pair lists rebuilt: "
+            stepLog() << "Pair lists rebuilt: "
                 << scheme.neighbourhood().rebuilds()
                 << "  wall net hits: " << netHits << '\n';
             guard.check(particles, runTime);
@@ -230,7 +235,9 @@ int main(int argc, char* argv[])
                 scheme.neighbourhood().reset();
             }
             runTime.printExecutionTime();
+            progress->step();
         }
+        progress.reset();
 
         functions.end();
         sleep.printSummary();

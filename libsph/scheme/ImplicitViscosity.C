@@ -160,7 +160,7 @@ void ImplicitViscosity::solve(const scalar deltaT)
 
 void ImplicitViscosity::report(const scalar initial, const scalar target)
 {
-    std::cout << "PCG:  Solving for U, Initial residual = " << initial
+    stepLog() << "PCG:  Solving for U, Initial residual = " << initial
         << ", Final residual = " << finalResidual_ << ", No Iterations "
         << iterations_ << '\n';
     if (!std::isfinite(initial) || !std::isfinite(finalResidual_))

@@ -1,5 +1,6 @@
 #include "scheme/timeStep.H"
 
+#include "runTime/log.H"
 #include "scheme/ImplicitViscosity.H"
 
 #include <cmath>
@@ -72,7 +73,7 @@ void TimeStep::printCourant
         sum += magU;
     }
     const scalar f = deltaT/h_, cP = material_.cP();
-    std::cout << "Courant Number mean: " << f*(cP + sum/std::max(n, 1))
+    stepLog() << "Courant Number mean: " << f*(cP + sum/std::max(n, 1))
         << " max: " << f*(cP + largest) << '\n';
 }
 
