@@ -4,6 +4,7 @@
 // equation numbers stand at the calls.
 
 #include "estimate.H"
+#include "lists.H"
 #include "postProcess.H"
 
 #include "boundaries/Boundaries.H"
@@ -14,14 +15,15 @@
 #include "io/writeTimeFolder.H"
 #include "runTime/CaseLock.H"
 #include "runTime/CommandLine.H"
+#include "runTime/Progress.H"
 #include "runTime/Time.H"
+#include "runTime/log.H"
 #include "scheme/Guard.H"
 #include "scheme/Scheme.H"
 #include "scheme/Sleep.H"
 #include "scheme/SoundSpeed.H"
 #include "scheme/timeStep.H"
 #include "selection/Libraries.H"
-#include "selection/listModels.H"
 #include "setup/readGravity.H"
 
 #include <iostream>
@@ -69,29 +71,18 @@ int main(int argc, char* argv[])
                 "dry-run", "",
                 "check the case, print settings and estimates, and exit"
             },
-            {"listModels", "", "list every selection table and exit"},
-            {
-                "listFunctionObjects", "",
-                "list the types of function objects and exit"
-            },
             {"noFunctionObjects", "", "do not execute function objects"}
         };
-        const auto more = postProcessOptions();
-        options.insert(options.end(), more.begin(), more.end());
+        for (const auto& more : {listOptions(), postProcessOptions()})
+        {
+            options.insert(options.end(), more.begin(), more.end());
+        }
         const CommandLine args
         (
             argc, argv, "Flow of dry granular material by SPH", options
         );
-        if (args.found("listModels"))
+        if (list(args))
         {
-            loadLibrariesOfCase(args.casePath());
-            listModels(std::cout);
-            return 0;
-        }
-        if (args.found("listFunctionObjects"))
-        {
-            loadLibrariesOfCase(args.casePath());
-            listModels(std::cout, FunctionObject::family);
             return 0;
         }
         const bool onlyPostProcess = postProcessing(args);
@@ -134,7 +125,7 @@ int main(int argc, char* argv[])
         (
             schemes, solution, particles, boundaries, material, g
         );
-        const auto integrator = Integrator::New(solution, "integrator");
+        const auto integrator = Integrator::New(solution);
         std::cout << "Selecting integrator "
             << solution.get<word>("integrator") << '\n';
         const TimeStep timeStep(solution, material, scheme.kernel().h());
@@ -244,13 +235,15 @@ int main(int argc, char* argv[])
         std::cout << "\nStarting time loop: "
             << particles.granular().size() << " granular and "
             << particles.walls().size() << " wall particles\n" << std::endl;
+        std::optional<Progress> progress;
+        progress.emplace(runTime, particles.granular().size());
         while (runTime.loop(timeStep.stable(particles)))
         {
             const scalar dt = runTime.deltaT();
             step(runTime.value(), dt);
 
             timeStep.printCourant(particles, dt);
-            std::cout << "Pair lists rebuilt: "
+            stepLog() << "Pair lists rebuilt: "
                 << scheme.neighbourhood().rebuilds()
                 << "  wall net hits: " << netHits << '\n';
             guard.check(particles, runTime);
@@ -262,7 +255,9 @@ int main(int argc, char* argv[])
                 scheme.neighbourhood().reset();
             }
             runTime.printExecutionTime();
+            progress->step();
         }
+        progress.reset();
 
         functions.end();
         sleep.printSummary();

@@ -4,9 +4,11 @@
 #include "functionObjects/FunctionObject.H"
 #include "rheology/Rheology.H"
 #include "runTime/TimeControls.H"
+#include "scheme/Material.H"
 #include "selection/Libraries.H"
 #include "setup/readGravity.H"
 
+#include <algorithm>
 #include <iostream>
 
 namespace fs = std::filesystem;
@@ -23,6 +25,7 @@ std::vector<CommandLine::Option> postProcessOptions()
             "execute function objects over written times and exit"
         },
         {"func", "name", "with -postProcess: only this function object"},
+        {"funcs", "list", "with it: only these function objects: '(a b)'"},
         {"time", "list", "with it: only these times: '0.05,0.1' or '0:1'"},
         {"latestTime", "", "with it: only the last time"},
         {"noZero", "", "with it: without the time 0"}
@@ -33,7 +36,11 @@ std::vector<CommandLine::Option> postProcessOptions()
 bool postProcessing(const CommandLine& args)
 {
     const bool given = args.found("postProcess");
-    for (const word& option : wordList{"func", "time", "latestTime", "noZero"})
+    for
+    (
+        const word& option :
+        wordList{"func", "funcs", "time", "latestTime", "noZero"}
+    )
     {
         if (!given && args.found(option))
         {
@@ -48,7 +55,38 @@ bool postProcessing(const CommandLine& args)
 }
 
 
-// What -func names
+// What -func and -funcs name
+static wordList namedObjects(const CommandLine& args)
+{
+    wordList names;
+    if (args.found("func"))
+    {
+        names.push_back(args.value("func"));
+    }
+    if (args.found("funcs"))
+    {
+        const auto list = dictionary::fromString
+        (
+            "funcs " + args.value("funcs") + ';', "-funcs"
+        ).get<wordList>("funcs");
+        if (list.empty())
+        {
+            throw Error("-funcs names no function object");
+        }
+        names.insert(names.end(), list.begin(), list.end());
+    }
+    for (auto name = names.begin(); name != names.end(); ++name)
+    {
+        if (std::find(names.begin(), name, *name) != name)
+        {
+            throw Error("The function object " + *name + " is named twice");
+        }
+    }
+    return names;
+}
+
+
+// The entry of that name, or one that is made for the type of that name
 static const dictionary& namedEntry
 (
     const word& name, const dictionary& functions, dictionary& byType
@@ -102,7 +140,7 @@ void postProcess(const CommandLine& args)
     Particles particles;
     files.read(snapshots.front(), particles);
     const vector g = readGravity(caseDir);
-    const scalar rho0 = properties.get("rho0", dimDensity, Range::positive());
+    const scalar rho0 = Material::readRho0(properties);
     const auto eos = EquationOfState::New
     (
         properties, "equationOfState", rho0, g.norm()
@@ -115,13 +153,16 @@ void postProcess(const CommandLine& args)
     });
 
     const dictionary& functions = controlDict.subOrEmptyDict("functions");
-    dictionary byType;
-    if (args.found("func"))
+    const wordList names = namedObjects(args);
+    std::vector<dictionary> byType(names.size());
+    for (std::size_t k = 0; k < names.size(); ++k)
     {
-        const word name = args.value("func");
-        const dictionary& entry = namedEntry(name, functions, byType);
-        objects.add(name, entry);
+        const dictionary& entry = namedEntry(names[k], functions, byType[k]);
+        objects.add(names[k], entry);
         entry.refuseUnused();
+    }
+    if (!names.empty())
+    {
         controlDict.markUsed("functions");
     }
     else if (functions.toc().empty())
@@ -129,7 +170,7 @@ void postProcess(const CommandLine& args)
         throw Error
         (
             "There is nothing to execute: controlDict has no functions, and"
-            " -func names none"
+            " -func or -funcs names none"
         );
     }
     else

@@ -38,21 +38,36 @@ Report::Report
     gauge_(gauge),
     start_(start),
     lawName_(dict.getOrDefault<word>("law", "none")),
-    law_(RunoutLaw::New(dict, "law", "none")),
+    law_(RunoutLaw::New(dict)),
     tolerance_
     (
-        dict.getOrDefault("tolerance", 1e-3, dimless, Range::positive())
+        dict.getOrDefault
+        (
+            {"tolerance", "change of the run-out that is none"}, 1e-3,
+            dimless, Range::positive()
+        )
     ),
     folder_(folder)
 {
-    const dictionary& bands = dict.subOrEmptyDict("band");
-    for (const word quantity : {"runout", "height", "stopTime"})
+    const dictionary& bands = dict.subOrEmptyDict
+    (
+        {"band", "relative bands about the law; else its own scatter"}
+    );
+    for
+    (
+        const Key& quantity :
+        {
+            Key("runout", "band of the run-out", "0.1"),
+            Key("height", "band of the height", "0.05"),
+            Key("stopTime", "band of the time of stopping", "0.1")
+        }
+    )
     {
         if (bands.found(quantity))
         {
             bands_.emplace_back
             (
-                quantity, bands.get(quantity, dimless, Range::positive())
+                quantity.name, bands.get(quantity, dimless, Range::positive())
             );
         }
     }

@@ -16,12 +16,26 @@
 #include "pictures.H"
 #include "settings.H"
 
+#include "annotation/Specimen.H"
+#include "annotation/writeEntries.H"
 #include "functionObjects/pictureOptions.H"
 
 #include <iostream>
 
 using namespace sph;
 namespace fs = std::filesystem;
+
+static ParticlePicture::Options readPicture
+(
+    const dictionary& dict, const Particles& particles
+)
+{
+    return readPictureOptions
+    (
+        dict.subOrEmptyDict({"picture", "what collapse.png shows"}), particles
+    );
+}
+
 
 static const std::vector<CommandLine::Option> options
 {
@@ -33,8 +47,31 @@ static const std::vector<CommandLine::Option> options
     {"times", "list", "The times of the files, without TimeValue: '0,0.1'"},
     {"plot", "", "Make collapse.png and profile.png with gnuplot"},
     {"field", "name", "Colour collapse.png by this field"},
-    {"check", "", "Exit with 1 if a value lies outside of its band"}
+    {"check", "", "Exit with 1 if a value lies outside of its band"},
+    {"listEntries", "", "List all entries of postRunoutDict and exit"}
 };
+
+
+static int listEntries()
+{
+    Specimen specimen(0.01);
+    writeDictionary
+    (
+        std::cout, "system/postRunoutDict", "postRunout -listEntries",
+        [&](const dictionary& dict)
+        {
+            const auto [rho0, g] = readMaterial
+            (
+                dict, "/dev/null", specimen.particles       // no case
+            );
+            const DepositGauge gauge(dict, specimen.particles, rho0, g);
+            OutputFolder folder("", "", "");
+            Report(dict, gauge, Energies(specimen.particles, g, rho0), folder);
+            readPicture(dict, specimen.particles);
+        }
+    );
+    return 0;
+}
 
 
 static int judge(const std::pair<label, label>& counts)
@@ -60,6 +97,10 @@ static int postRunout(int argc, char* argv[])
         argc, argv,
         "Run-out and deposit of a collapse, beside the published law.", options
     );
+    if (args.found("listEntries"))
+    {
+        return listEntries();
+    }
     const fs::path caseDir =
         args.found("vtp")
       ? fs::path(args.valueOr("case", ".")) : args.caseDir();
@@ -81,10 +122,7 @@ static int postRunout(int argc, char* argv[])
 
     OutputFolder folder(caseDir, "postRunout", selected.front().name);
     Report report(*dict, gauge, Energies(particles, g, rho0), folder);
-    ParticlePicture::Options picture = readPictureOptions
-    (
-        (*dict).subOrEmptyDict("picture"), particles
-    );
+    ParticlePicture::Options picture = readPicture(*dict, particles);
     if (args.found("field"))
     {
         picture.field = args.valueOr("field", "");

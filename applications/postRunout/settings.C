@@ -1,5 +1,6 @@
 #include "settings.H"
 
+#include "scheme/Material.H"
 #include "setup/readGravity.H"
 
 #include <algorithm>
@@ -84,16 +85,18 @@ static scalar readRho0
     const dictionary& dict, const fs::path& properties, const Particles& start
 )
 {
-    if (dict.found("rho0"))
+    const Key own
+    (
+        "rho0", "bulk density; else that of granularProperties, or the mean",
+        "1600"
+    );
+    if (dict.found(own))
     {
-        return dict.get("rho0", dimDensity, Range::positive());
+        return dict.get(own, dimDensity, Range::positive());
     }
     if (fs::exists(properties))
     {
-        return dictionary::fromFile(properties).get
-        (
-            "rho0", dimDensity, Range::positive()
-        );
+        return Material::readRho0(dictionary::fromFile(properties));
     }
     const label n = start.granular().size();
     return
@@ -108,8 +111,9 @@ MaterialConstants readMaterial
 {
     const fs::path properties = caseDir/"constant"/"granularProperties";
     const scalar rho0 = readRho0(dict, properties, start);
+    const Key own("g", "gravity; else that of constant/g", "(0 -9.81 0)");
     const vector g =
-        dict.found("g") ? dict.getVector("g", dimAcceleration)
+        dict.found(own) ? dict.getVector(own, dimAcceleration)
       : fs::exists(caseDir/"constant"/"g") ? readGravity(caseDir)
       : vector(0, -9.81);
     return {rho0, g};

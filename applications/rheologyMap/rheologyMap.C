@@ -10,6 +10,7 @@
 // Writes  postProcessing/rheologyMap/0/eta.dat: p, gammaDot, eta = |s|/gammaDot,
 //         |s|/p and I
 
+#include "annotation/writeEntries.H"
 #include "functionObjects/DataFile.H"
 #include "runTime/CommandLine.H"
 #include "runTime/TimeControls.H"
@@ -25,13 +26,13 @@ namespace fs = std::filesystem;
 
 static scalarField logarithmic
 (
-    const dictionary& dict, const word& name, const label points
+    const dictionary& dict, const Key& key, const label points
 )
 {
-    const auto ends = dict.get<std::vector<scalar>>(name);
+    const auto ends = dict.get<std::vector<scalar>>(key);
     if (ends.size() != 2 || !(ends[0] > 0) || !(ends[1] > ends[0]))
     {
-        dict.fail(name, "Give two positive numbers, the lower one first");
+        dict.fail(key.name, "Give two positive numbers, the lower one first");
     }
     scalarField values(points);
     for (label k = 0; k < points; ++k)
@@ -40,6 +41,46 @@ static scalarField logarithmic
     }
     return values;
 }
+
+// Where the viscosity is evaluated
+struct MapPoints
+{
+    label points;           // of each
+    scalarField p;          // [Pa]
+    scalarField gammaDot;   // [1/s]
+
+    explicit MapPoints(const dictionary& dict)
+    :
+        points
+        (
+            dict.getLabelOrDefault
+            (
+                {"points", "number of values of each, logarithmic"}, 61,
+                Range{2}
+            )
+        ),
+        p
+        (
+            logarithmic
+            (
+                dict,
+                {"p", "least and greatest pressure [Pa]", "(1 2000)"}, points
+            )
+        ),
+        gammaDot
+        (
+            logarithmic
+            (
+                dict,
+                {
+                    "gammaDot", "least and greatest shear rate [1/s]",
+                    "(1e-3 1e3)"
+                },
+                points
+            )
+        )
+    {}
+};
 
 // Simple shear of all particles, until their stress stands still
 static void shear
@@ -70,8 +111,18 @@ static int rheologyMap(int argc, char* argv[])
 {
     const CommandLine args
     (
-        argc, argv, "Effective viscosity over pressure and shear rate.", {}
+        argc, argv, "Effective viscosity over pressure and shear rate.",
+        {{"listEntries", "", "List all entries of rheologyMapDict and exit"}}
     );
+    if (args.found("listEntries"))
+    {
+        writeDictionary
+        (
+            std::cout, "system/rheologyMapDict", "rheologyMap -listEntries",
+            [](const dictionary& dict) { MapPoints{dict}; }
+        );
+        return 0;
+    }
     const fs::path caseDir = args.caseDir();
     args.printBanner();
     loadLibraries
@@ -84,22 +135,16 @@ static int rheologyMap(int argc, char* argv[])
         dictionary::fromFile(caseDir/"constant"/"granularProperties");
     const Material material(properties, readGravity(caseDir), 1);
 
-    const label points = dict.getOrDefault<label>("points", 61);
-    if (points < 2)
-    {
-        dict.fail("points", "At least two points of each");
-    }
-    const scalarField p = logarithmic(dict, "p", points);
-    const scalarField gammaDot = logarithmic(dict, "gammaDot", points);
+    const MapPoints map(dict);
     dict.refuseUnused();
     properties.refuseUnused();
 
     Particles particles(1);
-    particles.resize(points, 0);
-    for (label i = 0; i < points; ++i)
+    particles.resize(map.points, 0);
+    for (label i = 0; i < map.points; ++i)
     {
         particles.rho[i] = material.rho0();
-        particles.p[i] = p[i];
+        particles.p[i] = map.p[i];
         particles.q[i] = 0;
     }
 
@@ -110,14 +155,17 @@ static int rheologyMap(int argc, char* argv[])
         {"p [Pa]  gammaDot [1/s]  eta = |s|/gammaDot [Pa s]  mu = |s|/p"},
         {"p", "gammaDot", "eta", "mu", "I"}
     );
-    for (const scalar rate : gammaDot)
+    for (const scalar rate : map.gammaDot)
     {
         shear(material.rheology(), rate, particles);
-        for (label i = 0; i < points; ++i)
+        for (label i = 0; i < map.points; ++i)
         {
             const scalar tau =
                 std::hypot(particles.s.xx[i], particles.s.xy[i]);
-            file.write({p[i], rate, tau/rate, tau/p[i], particles.I[i]});
+            file.write
+            (
+                {map.p[i], rate, tau/rate, tau/map.p[i], particles.I[i]}
+            );
         }
     }
     std::cout << "Columns: " << folder.path().string() << "\n\nEnd\n"

@@ -2,6 +2,7 @@
 # The particles of a case as discs of the particle diameter, in ParaView.
 #
 #     paraSPH -case myCase -field p -latestTime -output p.png
+#     paraSPH -case myCase -film collapse.ogv
 #
 # Opens VTK/<case>.vtp.series and VTK/<case>Walls.vtp.series. Where there is no
 # display, it starts Xvfb.
@@ -12,7 +13,6 @@ import json
 import os
 import re
 import shutil
-import signal
 import subprocess
 import sys
 
@@ -36,6 +36,11 @@ def parse(arguments):
                        help="only the time nearest to t [s]")
     which.add_argument("-latestTime", action="store_true",
                        help="only the latest time")
+    which.add_argument("-film", metavar="file",
+                       help="film of all times: .ogv or .avi (ParaView), .mp4 "
+                            "(ffmpeg), or a folder for its pictures")
+    parser.add_argument("-rate", type=int, default=10, metavar="n",
+                        help="pictures a second of a film (default: 10)")
     parser.add_argument("-range", type=float, nargs=2,
                         metavar=("min", "max"),
                         help="values at the ends of the colour bar (default: "
@@ -46,6 +51,8 @@ def parse(arguments):
     parser.add_argument("-size", type=int, nargs=2, default=[1200, 600],
                         metavar=("width", "height"), help="in pixels")
     options = parser.parse_args(arguments)
+    if options.film:
+        checkFilm(options, parser)
     options.output = options.output or options.field + ".png"
     if not options.output.endswith(".png"):
         parser.error("-output: the name must end in .png: " + options.output)
@@ -54,6 +61,24 @@ def parse(arguments):
     if min(options.size) < 1:
         parser.error("-size: width and height must be greater than 0")
     return options
+
+
+def checkFilm(options, parser):
+    kind = filmKind(options)
+    if kind not in ("", ".ogv", ".avi", ".mp4"):
+        parser.error("-film: a name in .ogv, .avi or .mp4, or a folder: "
+                     + options.film)
+    if options.output:
+        parser.error("-film: the name of the film stands for -output")
+    if options.rate < 1:
+        parser.error("-rate: must be at least 1")
+    if kind and any(pixels % 4 for pixels in options.size):
+        parser.error("-size: of films in multiples of 4")
+
+
+def filmKind(options):
+    """".ogv", ".avi", ".mp4"; empty for a folder."""
+    return os.path.splitext(options.film)[1] if options.film else ""
 
 
 def findSeries(case):
@@ -121,11 +146,13 @@ def display():
         return
     if not shutil.which("Xvfb"):
         raise CaseError("No display, and no Xvfb: install xvfb")
-    # Says the number of its display once it is ready
+    # Says the number of its display once it is ready. Without -noreset it
+    # starts anew after ParaView's first look, and ParaView may lose it.
     ready, say = os.pipe()
     server = subprocess.Popen(
         ["Xvfb", "-displayfd", str(say), "-screen", "0", "1280x1024x24",
-         "-nolisten", "tcp"], pass_fds=[say], stderr=subprocess.DEVNULL)
+         "-nolisten", "tcp", "-noreset"],
+        pass_fds=[say], stderr=subprocess.DEVNULL)
     os.close(say)
     try:
         with open(ready) as stream:
@@ -146,23 +173,51 @@ def main(arguments):
     file = dict(times)[chosen[-1]]
     fields, spacing = readHeader(file)
     checkField(options.field, fields, file)
+    task = dict(series=series, walls=walls, radius=spacing / 2,
+                times=chosen, field=options.field, range=options.range,
+                output=options.output, size=options.size, rate=options.rate,
+                film=None, numbered=False)
+    if filmKind(options) in (".ogv", ".avi"):
+        task["film"] = options.film
+    elif options.film:
+        return drawPictures(task, options)
+    return draw(task)
+
+
+def drawPictures(task, options):
+    """Pictures into a folder, and for .mp4 by ffmpeg into a film beside it."""
+    folder, kind = os.path.splitext(options.film)
+    os.makedirs(folder, exist_ok=True)
+    pictures = os.path.join(folder, options.field)
+    code = draw(dict(task, numbered=True, output=pictures + ".png"))
+    if code != 0 or not kind:
+        return code
+    if not shutil.which("ffmpeg"):
+        raise CaseError("No ffmpeg, which makes " + options.film
+                        + " of the pictures in " + folder
+                        + "\n    ParaView itself writes .ogv and .avi")
+    unfinished = folder + ".unfinished" + kind
+    code = subprocess.run(
+        ["ffmpeg", "-loglevel", "error", "-y", "-framerate",
+         str(options.rate), "-i", pictures + ".%04d.png", "-pix_fmt",
+         "yuv420p", unfinished]).returncode
+    if code == 0:
+        os.replace(unfinished, options.film)
+        print(options.film)
+    return code
+
+
+def draw(task):
+    """Has ParaView do a task; its exit code."""
     if not shutil.which("pvpython"):
         raise CaseError("No pvpython: install paraview and python3-paraview")
     # As one word: pvpython would take options with one dash for its own
-    task = json.dumps(dict(series=series, walls=walls, radius=spacing / 2,
-                           times=chosen, field=options.field,
-                           range=options.range, output=options.output,
-                           size=options.size))
+    task = json.dumps(task)
     view = os.path.join(os.path.dirname(os.path.realpath(__file__)),
                         "particleView.py")
-    # pvpython 5.11 now and then loses a new X server, and aborts
-    for attempt in range(3):
-        with display() as environment:
-            code = subprocess.run(["pvpython", view, task],
-                                  env=environment).returncode
-        if code not in (-signal.SIGABRT, 128 + signal.SIGABRT):
-            break
-    return code
+    with display() as environment:
+        return subprocess.run(["pvpython", view, task],
+                              env=environment).returncode
 
 
 if __name__ == "__main__":

@@ -37,7 +37,7 @@ def frame(sources, view, size):
     view.CameraFocalPoint = middle + [0]
     view.CameraPosition = middle + [max(high[0] - low[0], high[1] - low[1])]
     view.CameraParallelScale = max(0.53*(high[0] - low[0])*size[1]/size[0],
-                                   0.75*(high[1] - low[1]))
+                                   0.8*(high[1] - low[1]))
 
 
 def show(options):
@@ -88,13 +88,25 @@ def show(options):
     return view
 
 
+def film(view, options):
+    """Writes a film of all times; its name."""
+    simple.GetAnimationScene().PlayMode = "Snap To TimeSteps"
+    stem, kind = os.path.splitext(options.film)
+    unfinished = stem + ".unfinished" + kind
+    if not simple.SaveAnimation(unfinished, view, FrameRate=options.rate,
+                                ImageResolution=options.size):
+        sys.exit("paraSPH: this ParaView writes no " + kind)
+    os.replace(unfinished, options.film)
+    return options.film
+
+
 def save(view, options):
     """Writes a picture a time; yields their names."""
     times = options.times
     stem = options.output[:-len(".png")]
     for index, time in enumerate(times):
-        name = options.output if len(times) == 1 \
-            else "%s.%04d.png" % (stem, index)
+        name = "%s.%04d.png" % (stem, index) \
+            if len(times) > 1 or options.numbered else options.output
         view.ViewTime = time
         unfinished = name[:-len(".png")] + ".unfinished.png"
         simple.SaveScreenshot(unfinished, view, ImageResolution=options.size)
@@ -104,5 +116,6 @@ def save(view, options):
 
 if __name__ == "__main__":
     task = SimpleNamespace(**json.loads(sys.argv[1]))
-    for picture in save(show(task), task):
-        print(picture)
+    view = show(task)
+    for name in [film(view, task)] if task.film else save(view, task):
+        print(name)

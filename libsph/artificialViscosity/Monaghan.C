@@ -30,7 +30,13 @@ public:
         const Kernel& kernel
     )
     :
-        alpha_(dict.getOrDefault("alpha", 0.1, dimless, Range::nonNegative())),
+        alpha_
+        (
+            dict.getOrDefault
+            (
+                {"alpha", "strength"}, 0.1, dimless, Range::nonNegative()
+            )
+        ),
         h_(kernel.h()),
         eos_(eos)
     {}

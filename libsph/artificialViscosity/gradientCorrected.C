@@ -10,8 +10,22 @@ gradientCorrected::gradientCorrected
     const dictionary& dict, const EquationOfState& eos, const Kernel& kernel
 )
 :
-    alpha_(dict.getOrDefault("alpha", 0.3, dimless, Range::nonNegative())),
-    chi_(dict.getOrDefault("chi", 1, dimless, Range::nonNegative())),
+    alpha_
+    (
+        dict.getOrDefault
+        (
+            {"alpha", "strength of the shear part, nu = alpha c h/8"}, 0.3,
+            dimless, Range::nonNegative()
+        )
+    ),
+    chi_
+    (
+        dict.getOrDefault
+        (
+            {"chi", "strength of the bulk part; chi maxCo <= 0.5"}, 1,
+            dimless, Range::nonNegative()
+        )
+    ),
     h_(kernel.h()),
     eos_(eos)
 {}

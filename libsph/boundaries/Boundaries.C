@@ -18,7 +18,11 @@ Boundaries::Boundaries(const dictionary& dict, const scalar spacing)
         {
             patches_.push_back
             (
-                Boundary::New(dict.subDict(name), "type", name, spacing)
+                Boundary::New
+                (
+                    dict.subDict(name), {"type", "kind of patch"},
+                    name, spacing
+                )
             );
         }
     }

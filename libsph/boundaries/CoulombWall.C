@@ -28,7 +28,7 @@ class CoulombWall : public Wall
 
     static scalar readMuWall(const dictionary& dict)
     {
-        if (dict.found("frictionAngle"))
+        if (dict.found({"frictionAngle", "degrees, in place of muWall", "20"}))
         {
             if (dict.found("muWall"))
             {
@@ -43,7 +43,11 @@ class CoulombWall : public Wall
             );
             return std::tan(degrees*pi/180);
         }
-        return dict.get("muWall", dimless, Range::nonNegative());
+        return dict.get
+        (
+            {"muWall", "friction coefficient of the wall", "0.38"},
+            dimless, Range::nonNegative()
+        );
     }
 
     // Of the material from the wall [m]; r points from it into the wall

@@ -28,7 +28,11 @@ public:
         Wall(dict, name, spacing),
         betaMax_
         (
-            dict.getOrDefault("betaMax", 1.8, dimless, Range::between(1, 10))
+            dict.getOrDefault
+            (
+                {"betaMax", "greatest beta, Eq. 23"}, 1.8,
+                dimless, Range::between(1, 10)
+            )
         )
     {}
 

@@ -11,16 +11,28 @@ namespace sph
 
 static Motion readMotion(const dictionary& dict)
 {
-    return dict.found("motion") ? Motion(dict.subDict("motion")) : Motion();
+    return
+        dict.found({"motion", "motion of the wall itself: a gate", "{}"})
+      ? Motion(dict.subDict("motion")) : Motion();
 }
 
 Wall::Wall(const dictionary& dict, const word& name, const scalar spacing)
 :
     Boundary(name, spacing),
-    layers_(dict.getOrDefault<label>("layers", 3)),
+    layers_
+    (
+        dict.getLabelOrDefault
+        (
+            {"layers", "rows of wall particles behind it"}, 3, Range{1}
+        )
+    ),
     velocity_
     (
-        dict.getVectorOrDefault("velocity", vector::Zero(), dimVelocity)
+        dict.getVectorOrDefault
+        (
+            {"velocity", "velocity of its surface, as of a belt"},
+            vector::Zero(), dimVelocity
+        )
     ),
     motion_(readMotion(dict))
 {
@@ -36,10 +48,6 @@ Wall::Wall(const dictionary& dict, const word& name, const scalar spacing)
     for (label s = 0; s < segmentCount(); ++s)
     {
         tangents_.push_back((points_[s + 1] - points_[s]).normalized());
-    }
-    if (layers_ < 1)
-    {
-        dict.fail("layers", "A wall needs at least one layer of particles");
     }
     netLine_ = offset(-0.25*spacing);
     allSides_.resize(segmentCount());

@@ -21,7 +21,11 @@ class periodic : public Boundary
 
     static vector nonZero(const dictionary& dict)
     {
-        const vector t = dict.getVector("translation", dimLength);
+        const vector t = dict.getVector
+        (
+            {"translation", "way from it to the other plane", "(0.4 0 0)"},
+            dimLength
+        );
         if (!(t.norm() > 0))
         {
             dict.fail("translation", "The translation must not be zero");
@@ -33,7 +37,13 @@ public:
     periodic(const dictionary& dict, const word& name, const scalar spacing)
     :
         Boundary(name, spacing),
-        point_(dict.getVector("point", dimLength)),
+        point_
+        (
+            dict.getVector
+            (
+                {"point", "a point of the first plane", "(0 0 0)"}, dimLength
+            )
+        ),
         translation_(nonZero(dict)),
         length_(translation_.norm()),
         direction_(translation_/length_)

@@ -18,7 +18,10 @@ class symmetryPlane : public Boundary
 
     static vector unitNormal(const dictionary& dict)
     {
-        const vector n = dict.getVector("normal", dimless);
+        const vector n = dict.getVector
+        (
+            {"normal", "normal into the material", "(1 0 0)"}, dimless
+        );
         if (!(n.norm() > 0))
         {
             dict.fail("normal", "The normal of a plane must not be zero");
@@ -33,7 +36,13 @@ public:
     )
     :
         Boundary(name, spacing),
-        point_(dict.getVector("point", dimLength)),
+        point_
+        (
+            dict.getVector
+            (
+                {"point", "a point of the plane", "(0 0 0)"}, dimLength
+            )
+        ),
         normal_(unitNormal(dict))
     {}
 

@@ -27,11 +27,19 @@ public:
     :
         lambda0_
         (
-            dict.getOrDefault("lambda0", 0.6, dimless, Range::between(0, 1))
+            dict.getOrDefault
+            (
+                {"lambda0", "lambda below which div U is not corrected"}, 0.6,
+                dimless, Range::between(0, 1)
+            )
         ),
         lambda1_
         (
-            dict.getOrDefault("lambda1", 0.85, dimless, Range::between(0, 1))
+            dict.getOrDefault
+            (
+                {"lambda1", "lambda above which it is, in full"}, 0.85,
+                dimless, Range::between(0, 1)
+            )
         )
     {
         if (lambda1_ <= lambda0_)

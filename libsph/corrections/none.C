@@ -15,6 +15,8 @@ public:
     explicit uncorrected(const dictionary&)
     {}
 
+    bool isExact() const override { return false; }
+
 protected:
     void correct
     (

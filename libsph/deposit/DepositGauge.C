@@ -13,9 +13,16 @@ static constexpr label samples = 8;
 BedLine readBedLine(const dictionary& dict)
 {
     const vector origin =
-        dict.getVectorOrDefault("origin", {0, 0}, dimLength);
+        dict.getVectorOrDefault
+        (
+            {"origin", "a point of the bed: the centre, or the back wall"},
+            {0, 0}, dimLength
+        );
     const vector direction =
-        dict.getVectorOrDefault("direction", {1, 0}, dimless);
+        dict.getVectorOrDefault
+        (
+            {"direction", "along the bed"}, {1, 0}, dimless
+        );
     if (!(direction.norm() > 0))
     {
         dict.fail("direction", "The direction of the bed must not be zero");
@@ -26,11 +33,16 @@ BedLine readBedLine(const dictionary& dict)
 
 static scalar readThreshold(const dictionary& dict, const scalar dx)
 {
-    if (!dict.found("threshold"))
+    const Key threshold
+    (
+        "threshold", "the same in metres, in place of thresholdByDx", "1e-3"
+    );
+    if (!dict.found(threshold))
     {
         return dx*dict.getOrDefault
         (
-            "thresholdByDx", 0.5, dimless, Range::positive()
+            {"thresholdByDx", "thickness at the front, over the spacing"}, 0.5,
+            dimless, Range::positive()
         );
     }
     if (dict.found("thresholdByDx"))
@@ -56,27 +68,40 @@ DepositGauge::DepositGauge
     startPositions_(start)
 {
     const word side =
-        dict.getChoiceOrDefault("side", "right", {"right", "left", "both"});
+        dict.getChoiceOrDefault
+        (
+            {"side", "which front counts"}, "right", {"right", "left", "both"}
+        );
     side_ =
         side == "right" ? Side::right
       : side == "left" ? Side::left : Side::both;
 
     const scalar dx = start.spacing();
     binWidth_ =
-        dict.getOrDefault("binWidth", 2*dx, dimLength, Range::positive());
+        dict.getOrDefault
+        (
+            {"binWidth", "bins of the profile; else 2 dx", "0.005"}, 2*dx,
+            dimLength, Range::positive()
+        );
     threshold_ = readThreshold(dict, dx);
     mobilisedDistance_ = dx*dict.getOrDefault
     (
-        "mobilisedByDx", 1, dimless, Range::positive()
+        {"mobilisedByDx", "displacement that counts as one, over the spacing"},
+        1, dimless, Range::positive()
     );
 
     const Profile profile = slidingMean(start);
     const scalar H = profile.h(profile.thickest());
-    H0_ = dict.getOrDefault("H0", H, dimLength, Range::positive());
+    H0_ = dict.getOrDefault
+    (
+        {"H0", "height at the start; else measured", "0.1"}, H,
+        dimLength, Range::positive()
+    );
     foot_ = H - H0_ > dx ? H - H0_ : 0;
     L0_ = dict.getOrDefault
     (
-        "L0", reach(fronts(profile, 0.5*H)), dimLength, Range::any()
+        {"L0", "length at the start; else measured", "0.1"},
+        reach(fronts(profile, 0.5*H)), dimLength, Range::any()
     );
     if (!(L0_ > 0))
     {

@@ -36,6 +36,21 @@ dictionary dictionary::fromString
     return result;
 }
 
+dictionary dictionary::filledIn
+(
+    const std::string& text, const std::string& name
+)
+{
+    dictionary result = fromString(text, name);
+    result.contents_->setFillsIn();
+    return result;
+}
+
+bool dictionary::fillsIn() const
+{
+    return contents_->fillsIn;
+}
+
 const std::string& dictionary::name() const
 {
     return contents_->name;
@@ -66,27 +81,27 @@ wordList dictionary::toc() const
     return keywords;
 }
 
-bool dictionary::found(const word& key) const
+bool dictionary::found(const Key& key) const
 {
-    contents_->asked.insert(key);
-    return contents_->find(key);
+    contents_->note(key);
+    return contents_->find(key.name);
 }
 
-bool dictionary::isDict(const word& key) const
+bool dictionary::isDict(const Key& key) const
 {
-    contents_->asked.insert(key);
-    const Entry* const entry = contents_->find(key);
+    contents_->note(key);
+    const Entry* const entry = contents_->find(key.name);
     return entry && entry->dict;
 }
 
-const dictionary& dictionary::subDict(const word& key) const
+const dictionary& dictionary::subDict(const Key& key) const
 {
     const Entry& entry = contents_->require(key);
     if (!entry.dict)
     {
         throw IOError
         (
-            "Entry '" + key + "' must be a dictionary { ... }, found '"
+            "Entry '" + key.name + "' must be a dictionary { ... }, found '"
           + tokenText(entry.tokens) + "'",
             contents_->where(entry),
             entry.startLine,
@@ -96,30 +111,31 @@ const dictionary& dictionary::subDict(const word& key) const
     return *entry.dict;
 }
 
-const dictionary& dictionary::subOrEmptyDict(const word& key) const
+const dictionary& dictionary::subOrEmptyDict(const Key& key) const
 {
     if (found(key))
     {
         return subDict(key);
     }
-    auto& empty = contents_->absent[key];
+    auto& empty = contents_->absent[key.name];
     if (!empty)
     {
-        empty = Contents::make(contents_->file, contents_->subScope(key));
+        empty = Contents::make(contents_->file, contents_->subScope(key.name));
+        Contents::of(*empty).fillsIn = contents_->fillsIn;
         Contents::of(*empty).startLine = contents_->startLine;
         Contents::of(*empty).endLine = contents_->endLine;
     }
     return *empty;
 }
 
-const dictionary& dictionary::optionalSubDict(const word& key) const
+const dictionary& dictionary::optionalSubDict(const Key& key) const
 {
     return isDict(key) ? subDict(key) : *this;
 }
 
 std::vector<std::pair<word, const dictionary*>> dictionary::dictList
 (
-    const word& key
+    const Key& key
 ) const
 {
     const Entry& entry = contents_->require(key);
@@ -148,10 +164,10 @@ void dictionary::fail(const word& key, const std::string& message) const
     );
 }
 
-void dictionary::markUsed(const word& key) const
+void dictionary::markUsed(const Key& key) const
 {
-    contents_->asked.insert(key);
-    if (Entry* const entry = contents_->find(key))
+    contents_->note(key);
+    if (Entry* const entry = contents_->find(key.name))
     {
         sph::markUsed(*entry);
     }

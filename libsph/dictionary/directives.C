@@ -4,6 +4,7 @@
 #include "dictionary/parser.H"
 
 #include <filesystem>
+#include <set>
 
 namespace sph
 {

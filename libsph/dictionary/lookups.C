@@ -2,13 +2,54 @@
 
 #include "dictionary/contents.H"
 
+#include <algorithm>
+
 namespace sph
 {
 
-Entry* dictionary::Contents::lookup(const word& keyword)
+Lookup& dictionary::Contents::note(const Key& key)
 {
-    asked.insert(keyword);
-    Entry* entry = find(keyword);
+    const auto known = std::find_if
+    (
+        lookups.begin(), lookups.end(),
+        [&](const Lookup& lookup) { return lookup.key.name == key.name; }
+    );
+    Lookup& lookup =
+        known == lookups.end() ? lookups.emplace_back(Lookup{key}) : *known;
+    if (lookup.key.meaning.empty())
+    {
+        lookup.key = key;
+    }
+    return lookup;
+}
+
+Lookup& dictionary::Contents::noteKind
+(
+    const Key& key, const std::string& kind
+)
+{
+    Lookup& lookup = note(key);
+    if (lookup.kind.empty())
+    {
+        lookup.kind = kind;
+    }
+    return lookup;
+}
+
+wordList dictionary::Contents::asked() const
+{
+    wordList keywords;
+    for (const Lookup& lookup : lookups)
+    {
+        keywords.push_back(lookup.key.name);
+    }
+    return keywords;
+}
+
+Entry* dictionary::Contents::lookup(const Key& key)
+{
+    note(key);
+    Entry* entry = find(key.name);
     if (entry)
     {
         entry->used = true;
@@ -16,12 +57,17 @@ Entry* dictionary::Contents::lookup(const word& keyword)
     return entry;
 }
 
-Entry& dictionary::Contents::require(const word& keyword)
+Entry& dictionary::Contents::require(const Key& key)
 {
-    if (Entry* entry = lookup(keyword))
+    if (fillsIn && !key.sample.empty() && !find(key.name))
+    {
+        fillIn(key);
+    }
+    if (Entry* entry = lookup(key))
     {
         return *entry;
     }
+    const word& keyword = key.name;
     std::string message =
         "Entry '" + keyword + "' not found in dictionary \"" + name + '"';
     failIfSwallowed(keyword, message);
@@ -37,7 +83,44 @@ Entry& dictionary::Contents::require(const word& keyword)
             "\n is '" + near + "' at line " + std::to_string(entry->startLine)
           + " meant to be it?";
     }
+    if (!key.meaning.empty())
+    {
+        message += "\n " + keyword + ": " + key.meaning;
+    }
     throw IOError(message, name, startLine, endLine);
+}
+
+void dictionary::Contents::fillIn(const Key& key)
+{
+    const bool isDict = key.sample[0] == '{';
+    dictionary sample = fromString
+    (
+        key.name + ' ' + key.sample + (isDict ? "" : ";"), name
+    );
+    for (auto& entry : of(sample).entries)
+    {
+        insert(entry->clone(subScope(entry->keyword)));
+    }
+    setFillsIn();
+}
+
+void dictionary::Contents::setFillsIn()
+{
+    fillsIn = true;
+    for (const auto& entry : entries)
+    {
+        if (entry->dict)
+        {
+            of(*entry->dict).setFillsIn();
+        }
+        for (const Token& token : entry->tokens)
+        {
+            if (token.block)
+            {
+                of(*token.block).setFillsIn();
+            }
+        }
+    }
 }
 
 void dictionary::Contents::failIfSwallowed
@@ -69,22 +152,6 @@ void dictionary::Contents::failIfSwallowed
             }
         }
     }
-}
-
-void dictionary::Contents::recordDefault
-(
-    const word& keyword, const std::string& value
-)
-{
-    for (auto& known : defaults)
-    {
-        if (known.first == keyword)
-        {
-            known.second = value;
-            return;
-        }
-    }
-    defaults.emplace_back(keyword, value);
 }
 
 void dictionary::Contents::markUsed()

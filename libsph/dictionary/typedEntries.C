@@ -4,6 +4,7 @@
 #include "dictionary/valueReader.H"
 #include "dictionary/valueText.H"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sph
@@ -24,12 +25,26 @@ word notAChoice
       + "\n\nValid values are :\n\n" + listOfWords(choices);
 }
 
+std::string kindName(scalar) { return "number"; }
+std::string kindName(label) { return "whole number"; }
+std::string kindName(bool) { return "yes or no"; }
+std::string kindName(const word&) { return "word"; }
+std::string kindName(const vector&) { return "vector"; }
+std::string kindName(const dimensionSet&) { return "dimensions"; }
+
+template<class T>
+std::string kindName(const std::vector<T>&)
+{
+    return "list";
+}
+
 } // namespace
 
 
 template<class T>
-T dictionary::get(const word& key) const
+T dictionary::get(const Key& key) const
 {
+    contents_->noteKind(key, kindName(T()));
     const Entry& entry = contents_->require(key);
     ValueReader reader(entry, contents_->where(entry));
     T value{};
@@ -39,21 +54,21 @@ T dictionary::get(const word& key) const
 }
 
 template<class T>
-T dictionary::getOrDefault(const word& key, const T& defaultValue) const
+T dictionary::getOrDefault(const Key& key, const T& defaultValue) const
 {
-    if (found(key))
-    {
-        return get<T>(key);
-    }
-    contents_->recordDefault(key, sph::valueText(defaultValue));
-    return defaultValue;
+    contents_->noteKind(key, kindName(T())).defaultValue =
+        sph::valueText(defaultValue);
+    return found(key) ? get<T>(key) : defaultValue;
 }
 
 scalar dictionary::get
 (
-    const word& key, const dimensionSet& dims, const Range& range
+    const Key& key, const dimensionSet& dims, const Range& range
 ) const
 {
+    Lookup& lookup = contents_->noteKind(key, kindName(scalar()));
+    lookup.dims = dims;
+    lookup.range = range;
     const Entry& entry = contents_->require(key);
     ValueReader reader(entry, contents_->where(entry));
     const scalar factor = reader.readDimensions(dims);
@@ -61,39 +76,50 @@ scalar dictionary::get
     reader.read(value);
     reader.finish();
     value *= factor;
-    if (!range.contains(value) || !std::isfinite(value))
-    {
-        fail
-        (
-            key,
-            "Entry '" + key + "' is " + numberText(value) + " but must be "
-          + range.str()
-        );
-    }
+    checkRange(key, value, range);
     return value;
 }
 
 scalar dictionary::getOrDefault
 (
-    const word& key,
+    const Key& key,
     const scalar defaultValue,
     const dimensionSet& dims,
     const Range& range
 ) const
 {
-    if (found(key))
-    {
-        return get(key, dims, range);
-    }
-    contents_->recordDefault(key, numberText(defaultValue));
-    return defaultValue;
+    Lookup& lookup = contents_->noteKind(key, kindName(scalar()));
+    lookup.dims = dims;
+    lookup.range = range;
+    lookup.defaultValue = numberText(defaultValue);
+    return found(key) ? get(key, dims, range) : defaultValue;
+}
+
+label dictionary::getLabel(const Key& key, const Range& range) const
+{
+    contents_->noteKind(key, kindName(label())).range = range;
+    const label value = get<label>(key);
+    checkRange(key, value, range);
+    return value;
+}
+
+label dictionary::getLabelOrDefault
+(
+    const Key& key, const label defaultValue, const Range& range
+) const
+{
+    Lookup& lookup = contents_->noteKind(key, kindName(label()));
+    lookup.range = range;
+    lookup.defaultValue = sph::valueText(defaultValue);
+    return found(key) ? getLabel(key, range) : defaultValue;
 }
 
 vector dictionary::getVector
 (
-    const word& key, const dimensionSet& dims
+    const Key& key, const dimensionSet& dims
 ) const
 {
+    contents_->noteKind(key, kindName(vector())).dims = dims;
     const Entry& entry = contents_->require(key);
     ValueReader reader(entry, contents_->where(entry));
     const scalar factor = reader.readDimensions(dims);
@@ -103,53 +129,63 @@ vector dictionary::getVector
     value *= factor;
     if (!value.allFinite())
     {
-        fail(key, "Entry '" + key + "' is not finite in SI units");
+        fail(key.name, "Entry '" + key.name + "' is not finite in SI units");
     }
     return value;
 }
 
 vector dictionary::getVectorOrDefault
 (
-    const word& key, const vector& defaultValue, const dimensionSet& dims
+    const Key& key, const vector& defaultValue, const dimensionSet& dims
 ) const
 {
-    if (found(key))
-    {
-        return getVector(key, dims);
-    }
-    contents_->recordDefault(key, sph::valueText(defaultValue));
-    return defaultValue;
+    Lookup& lookup = contents_->noteKind(key, kindName(vector()));
+    lookup.dims = dims;
+    lookup.defaultValue = sph::valueText(defaultValue);
+    return found(key) ? getVector(key, dims) : defaultValue;
 }
 
-word dictionary::getChoice(const word& key, const wordList& choices) const
+word dictionary::getChoice(const Key& key, const wordList& choices) const
 {
+    contents_->note(key).choices = choices;
     const word value = get<word>(key);
-    for (const word& choice : choices)
+    if (std::find(choices.begin(), choices.end(), value) == choices.end())
     {
-        if (choice == value)
-        {
-            return value;
-        }
+        fail(key.name, notAChoice(key.name, value, choices));
     }
-    fail(key, notAChoice(key, value, choices));
+    return value;
 }
 
 word dictionary::getChoiceOrDefault
 (
-    const word& key, const word& defaultValue, const wordList& choices
+    const Key& key, const word& defaultValue, const wordList& choices
 ) const
 {
-    if (found(key))
+    Lookup& lookup = contents_->noteKind(key, kindName(word()));
+    lookup.choices = choices;
+    lookup.defaultValue = sph::valueText(defaultValue);
+    return found(key) ? getChoice(key, choices) : defaultValue;
+}
+
+void dictionary::checkRange
+(
+    const Key& key, const scalar value, const Range& range
+) const
+{
+    if (!range.contains(value) || !std::isfinite(value))
     {
-        return getChoice(key, choices);
+        fail
+        (
+            key.name,
+            "Entry '" + key.name + "' is " + numberText(value)
+          + " but must be " + range.str()
+        );
     }
-    contents_->recordDefault(key, sph::valueText(defaultValue));
-    return defaultValue;
 }
 
 #define instantiate(T) \
-    template T dictionary::get<T>(const word&) const; \
-    template T dictionary::getOrDefault<T>(const word&, const T&) const;
+    template T dictionary::get<T>(const Key&) const; \
+    template T dictionary::getOrDefault<T>(const Key&, const T&) const;
 
 instantiate(scalar)
 instantiate(label)

@@ -19,7 +19,8 @@ std::string unusedMessage
 
     // What was asked for and is not there
     wordList missing;
-    for (const word& keyword : contents.asked)
+    const wordList asked = contents.asked();
+    for (const word& keyword : asked)
     {
         if (!contents.find(keyword))
         {
@@ -31,14 +32,11 @@ std::string unusedMessage
     {
         return message + "\n did you mean '" + meant + "'?";
     }
-    if (contents.asked.empty())
+    if (asked.empty())
     {
         return message + "\n No entries are read from this dictionary.";
     }
-    return message + "\n\nValid entries are :\n\n" + listOfWords
-    (
-        {contents.asked.begin(), contents.asked.end()}
-    );
+    return message + "\n\nValid entries are :\n\n" + listOfWords(asked);
 }
 
 } // namespace

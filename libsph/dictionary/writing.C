@@ -42,6 +42,17 @@ std::string dictionary::Contents::inlineText(const TokenStyle style) const
     return text + "}";
 }
 
+bool dictionary::Contents::filledByDefaults() const
+{
+    return
+        !absent.empty()
+     || std::any_of
+        (
+            lookups.begin(), lookups.end(),
+            [](const Lookup& lookup) { return bool(lookup.defaultValue); }
+        );
+}
+
 void dictionary::Contents::write
 (
     std::ostream& os,
@@ -83,15 +94,19 @@ void dictionary::Contents::write
     {
         return;
     }
-    for (const auto& [keyword, value] : defaults)
+    for (const Lookup& lookup : lookups)
     {
-        os  << indent << (isReadable(value) ? "" : "// ")
-            << padded(keyword) << value << ";    // default\n";
+        const word& keyword = lookup.key.name;
+        if (lookup.defaultValue && !find(keyword))
+        {
+            const std::string& value = *lookup.defaultValue;
+            os  << indent << (isReadable(value) ? "" : "// ")
+                << padded(keyword) << value << ";    // default\n";
+        }
     }
     for (const auto& [keyword, dict] : absent)
     {
-        const Contents& contents = of(*dict);
-        if (!contents.defaults.empty() || !contents.absent.empty())
+        if (of(*dict).filledByDefaults())
         {
             writeBlock(keyword, *dict);
         }
@@ -119,10 +134,10 @@ std::string dictionary::text() const
     return text;
 }
 
-std::string dictionary::valueText(const word& scopedKey) const
+std::string dictionary::valueText(const Key& scopedKey) const
 {
-    contents_->asked.insert(scopedKey);
-    Entry* entry = contents_->findScoped(scopedKey);
+    contents_->note(scopedKey);
+    Entry* entry = contents_->findScoped(scopedKey.name);
     if (!entry)
     {
         entry = &contents_->require(scopedKey);

@@ -7,7 +7,10 @@ namespace sph
 
 static bool readAdaptive(const dictionary& dict)
 {
-    const bool adaptive = dict.getOrDefault("adaptive", false);
+    const bool adaptive = dict.getOrDefault
+    (
+        {"adaptive", "K follows the scene, from its first value"}, false
+    );
     if (adaptive && dict.found("K"))
     {
         dict.fail
@@ -16,7 +19,7 @@ static bool readAdaptive(const dictionary& dict)
             " which it starts, in place of K"
         );
     }
-    if (adaptive && dict.getOrDefault("tension", false))
+    if (adaptive && EquationOfState::readTension(dict))
     {
         dict.fail
         (
@@ -31,10 +34,11 @@ static bool readAdaptive(const dictionary& dict)
 static scalar readKFactor(const dictionary& dict, const bool adaptive)
 {
     return
-        dict.found("K") ? 0
+        dict.found({"K", "bulk modulus, in place of KFactor and H", "1e5"})
+      ? 0
       : dict.getOrDefault
         (
-            "KFactor", 100, dimless,
+            {"KFactor", "bulk modulus over rho0 |g| H"}, 100, dimless,
             adaptive ? Range{10} : Range::positive()
         );
 }
@@ -49,7 +53,11 @@ static scalar bulkModulus
     {
         return dict.get("K", dimPressure, Range::positive());
     }
-    const scalar H = dict.get("H", dimLength, Range::positive());
+    const scalar H = dict.get
+    (
+        {"H", "height of the material, for the bulk modulus", "0.1"},
+        dimLength, Range::positive()
+    );
     if (!(magG > 0))
     {
         dict.fail
@@ -71,6 +79,14 @@ EquationOfState::EquationOfState
     KFactor_(readKFactor(dict, adaptive_))
 {
     setK(bulkModulus(dict, KFactor_, rho0, magG));
+}
+
+bool EquationOfState::readTension(const dictionary& dict)
+{
+    return dict.getOrDefault
+    (
+        {"tension", "negative pressures are kept, as in a fluid"}, false
+    );
 }
 
 void EquationOfState::setK(const scalar K)

@@ -27,11 +27,17 @@ public:
     Tait(const dictionary& dict, const scalar rho0, const scalar magG)
     :
         EquationOfState(dict, rho0, magG),
-        gamma_(dict.getOrDefault("gamma", 7, dimless, Range::between(1, 20))),
+        gamma_
+        (
+            dict.getOrDefault
+            (
+                {"gamma", "exponent: how fast it stiffens"}, 7,
+                dimless, Range::between(1, 20)
+            )
+        ),
         pMin_
         (
-            dict.getOrDefault("tension", false)
-          ? -std::numeric_limits<scalar>::max() : 0
+            readTension(dict) ? -std::numeric_limits<scalar>::max() : 0
         )
     {}
 

@@ -28,8 +28,7 @@ public:
         EquationOfState(dict, rho0, magG),
         pMin_
         (
-            dict.getOrDefault("tension", false)
-          ? -std::numeric_limits<scalar>::max() : 0
+            readTension(dict) ? -std::numeric_limits<scalar>::max() : 0
         )
     {}
 

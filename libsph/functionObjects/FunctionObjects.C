@@ -53,27 +53,36 @@ Scheduled::Scheduled
 )
 :
     name(name),
-    object(FunctionObject::New(dict, "type", name, scene)),
+    object
+    (
+        FunctionObject::New
+        (
+            dict, {"type", "kind of function object"}, name, scene
+        )
+    ),
     control
     (
         dict.getChoiceOrDefault
         (
-            "executeControl", object->defaultControl(),
-            {"timeStep", "runTime", "writeTime"}
+            {"executeControl", "what executeInterval counts"},
+            object->defaultControl(), {"timeStep", "runTime", "writeTime"}
         )
     ),
     interval
     (
         control == "runTime"
-      ? dict.get("executeInterval", dimTime, Range::positive())
-      : dict.getOrDefault<label>("executeInterval", 1)
+      ? dict.get
+        (
+            {"executeInterval", "simulated time between calls", "0.01"},
+            dimTime, Range::positive()
+        )
+      : dict.getLabelOrDefault
+        (
+            {"executeInterval", "steps, or writes, between calls"}, 1,
+            Range{1}
+        )
     )
-{
-    if (interval <= 0)
-    {
-        dict.fail("executeInterval", "The interval must be at least 1");
-    }
-}
+{}
 
 
 bool Scheduled::due(const Time& runTime)
@@ -148,7 +157,14 @@ FunctionObjects::FunctionObjects
 :
     FunctionObjects(scene)
 {
-    add(controlDict.subOrEmptyDict("functions"));
+    add
+    (
+        controlDict.subOrEmptyDict
+        ({
+            "functions", "function objects, each with a name: see"
+            " functionObject", "{ energies { type energies; } }"
+        })
+    );
 }
 
 
@@ -163,7 +179,7 @@ void FunctionObjects::add(const dictionary& functions)
     for (const word& name : functions.toc())
     {
         const dictionary& dict = functions.subDict(name);
-        if (dict.getOrDefault("enabled", true))
+        if (dict.getOrDefault({"enabled", "no: as if it were not there"}, true))
         {
             add(name, dict);
         }

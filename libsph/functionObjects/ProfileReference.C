@@ -12,24 +12,64 @@ ProfileReference::ProfileReference
     const dictionary& dict, const std::filesystem::path& caseDir
 )
 :
-    field_(dict.get<word>("field")),
-    timed_(dict.found("time")),
-    band_(dict.getOrDefault("band", 0, dimless, Range::nonNegative()))
+    field_
+    (
+        dict.get<word>({"field", "component that is compared", "U.x"})
+    ),
+    timed_
+    (
+        dict.found
+        (
+            {"time", "column with the time; else every call counts", "t_s"}
+        )
+    ),
+    band_
+    (
+        dict.getOrDefault
+        (
+            {"band", "greatest error in L2; 0: no verdict"}, 0,
+            dimless, Range::nonNegative()
+        )
+    )
 {
-    const ColumnFile table(caseDir/dict.get<word>("file"));
-    const auto columns = dict.get<wordList>("columns");
+    const word file = dict.get<word>
+    ({
+        "file", "table, from the case", "\"validation/bagnold.csv\""
+    });
+    const auto columns = dict.get<wordList>
+    (
+        {"columns", "columns with distance and value", "(y_m u_m_s)"}
+    );
     if (columns.size() != 2)
     {
         dict.fail("columns", "Two columns are needed: distance and value");
     }
-    const label x = table.column(columns[0]), y = table.column(columns[1]);
-    const label time = timed_ ? table.column(dict.get<word>("time")) : -1;
-
-    const dictionary& where = dict.subOrEmptyDict("where");
-    std::vector<std::pair<label, scalar>> wanted;
-    for (const word& name : where.toc())
+    const word timeColumn = timed_ ? dict.get<word>("time") : "";
+    const Key whereKey
+    (
+        "where", "columns and the value that rows must have to count",
+        "{ theta_deg 24; }"
+    );
+    std::vector<std::pair<word, scalar>> conditions;
+    if (dict.found(whereKey))
     {
-        wanted.emplace_back(table.column(name), where.get<scalar>(name));
+        const dictionary& where = dict.subDict("where");
+        for (const word& name : where.toc())
+        {
+            conditions.emplace_back
+            (
+                name, where.get<scalar>({name, "value of this column"})
+            );
+        }
+    }
+
+    const ColumnFile table(caseDir/file);
+    const label x = table.column(columns[0]), y = table.column(columns[1]);
+    const label time = timed_ ? table.column(timeColumn) : -1;
+    std::vector<std::pair<label, scalar>> wanted;
+    for (const auto& [name, value] : conditions)
+    {
+        wanted.emplace_back(table.column(name), value);
     }
     for (const auto& row : table.rows())
     {

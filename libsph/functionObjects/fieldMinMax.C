@@ -28,7 +28,8 @@ public:
         name_(name),
         folder_(scene.caseDir, name, scene.startTimeName)
     {
-        for (const word& field : dict.get<wordList>("fields"))
+        const Key fields("fields", "fields to look at", "(U p)");
+        for (const word& field : dict.get<wordList>(fields))
         {
             fields_.push_back(&findField(scene, field, dict, "fields"));
         }

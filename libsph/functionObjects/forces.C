@@ -56,8 +56,20 @@ public:
     forces(const dictionary& dict, const word& name, const Scene& scene)
     :
         wallForces_(watched(dict, scene)),
-        names_(dict.get<wordList>("patches")),
-        centre_(dict.getVectorOrDefault("CofR", vector::Zero(), dimLength)),
+        names_
+        (
+            dict.get<wordList>
+            (
+                {"patches", "walls of constant/boundary, summed", "(bed)"}
+            )
+        ),
+        centre_
+        (
+            dict.getVectorOrDefault
+            (
+                {"CofR", "centre of the moment"}, vector::Zero(), dimLength
+            )
+        ),
         name_(name),
         folder_(scene.caseDir, name, scene.startTimeName)
     {

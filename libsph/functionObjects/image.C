@@ -34,7 +34,12 @@ public:
         options_(readPictureOptions(dict, scene.particles)),
         atEnd_
         (
-            dict.getChoiceOrDefault("when", "end", {"end", "execute"}) == "end"
+            dict.getChoiceOrDefault
+            (
+                {"when", "at the end of the run, or at every call"},
+                "end", {"end", "execute"}
+            )
+         == "end"
         ),
         folder_(scene.caseDir, name, scene.startTimeName)
     {

@@ -11,9 +11,16 @@ ParticlePicture::Options readPictureOptions
 )
 {
     ParticlePicture::Options options;
-    options.field = dict.getOrDefault<word>("field", "U");
+    options.field = dict.getOrDefault<word>
+    (
+        {"field", "field that colours the particles"}, "U"
+    );
     findField(particles, options.field, dict, "field");
-    if (dict.found("range"))
+    const Key colours
+    (
+        "range", "range of the colours; else that of the values", "(0 0.5)"
+    );
+    if (dict.found(colours))
     {
         const auto range = dict.get<std::vector<scalar>>("range");
         if (range.size() != 2 || !(range[0] < range[1]))
@@ -26,8 +33,13 @@ ParticlePicture::Options readPictureOptions
         }
         options.range = std::make_pair(range[0], range[1]);
     }
-    options.vectors = dict.getOrDefault("vectors", false);
-    if (dict.found("slidingInterface"))
+    options.vectors =
+        dict.getOrDefault({"vectors", "arrows of the velocity"}, false);
+    const Key sliding
+    (
+        "slidingInterface", "line between what is slower and faster", "0.02"
+    );
+    if (dict.found(sliding))
     {
         options.slidingSpeed =
             dict.get("slidingInterface", dimVelocity, Range::positive());

@@ -42,10 +42,17 @@ public:
     probes(const dictionary& dict, const word& name, const Scene& scene)
     :
         particles_(scene.particles),
-        points_(dict.get<std::vector<vector>>("probeLocations")),
+        points_
+        (
+            dict.get<std::vector<vector>>
+            ({
+                "probeLocations", "points [m]", "((0.05 0.01 0) (0.05 0.03 0))"
+            })
+        ),
         folder_(scene.caseDir, name, scene.startTimeName)
     {
-        for (const word& field : dict.get<wordList>("fields"))
+        const Key fields("fields", "fields to look at", "(U p)");
+        for (const word& field : dict.get<wordList>(fields))
         {
             fields_.push_back({field, {}, nullptr});
             fields_.back().columns.add

@@ -63,7 +63,10 @@ class profile : public FunctionObject
     static vector readDirection(const dictionary& dict)
     {
         const vector direction =
-            dict.getVectorOrDefault("direction", vector(0, 1), dimless);
+            dict.getVectorOrDefault
+            (
+                {"direction", "across the layer"}, vector(0, 1), dimless
+            );
         if (!(direction.norm() > 0))
         {
             dict.fail("direction", "The direction must not be zero");
@@ -92,23 +95,32 @@ public:
     profile(const dictionary& dict, const word& name, const Scene& scene)
     :
         particles_(scene.particles),
-        origin_(dict.getVectorOrDefault("origin", vector::Zero(), dimLength)),
+        origin_
+        (
+            dict.getVectorOrDefault
+            (
+                {"origin", "where distances count from"}, vector::Zero(),
+                dimLength
+            )
+        ),
         direction_(readDirection(dict)),
         width_
         (
             dict.getOrDefault
             (
-                "width", particles_.spacing(), dimLength, Range::positive()
+                {"width", "width of a bin; else dx", "5e-4"},
+                particles_.spacing(), dimLength, Range::positive()
             )
         ),
         name_(name),
         folder_(scene.caseDir, name, scene.startTimeName)
     {
-        for (const word& field : dict.get<wordList>("fields"))
+        const Key fields("fields", "fields to average", "(U p)");
+        for (const word& field : dict.get<wordList>(fields))
         {
             columns_.add(findField(scene, field, dict, "fields"));
         }
-        if (dict.found("reference"))
+        if (dict.found({"reference", "what it is compared with", "{}"}))
         {
             readReference(dict.subDict("reference"), scene);
         }

@@ -44,15 +44,17 @@ public:
     :
         particles_(scene.particles),
         gauge_(gaugeOf(dict, scene)),
-        profileInterval_(dict.getOrDefault<label>("profileInterval", 0)),
+        profileInterval_
+        (
+            dict.getLabelOrDefault
+            (
+                {"profileInterval", "calls between profiles h(x); 0: never"},
+                0, Range{0}
+            )
+        ),
         name_(name),
         folder_(scene.caseDir, name, scene.startTimeName)
-    {
-        if (profileInterval_ < 0)
-        {
-            dict.fail("profileInterval", "The interval must be at least 0");
-        }
-    }
+    {}
 
     void execute(const scalar time, std::string&) override
     {

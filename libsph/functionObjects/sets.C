@@ -41,15 +41,17 @@ struct SampledLine
     SampledLine(const word& name, const dictionary& dict)
     :
         name(name),
-        start(dict.getVector("start", dimLength)),
-        end(dict.getVector("end", dimLength)),
-        nPoints(dict.get<label>("nPoints"))
+        start(dict.getVector({"start", "first point"}, dimLength)),
+        end(dict.getVector({"end", "last point"}, dimLength)),
+        nPoints
+        (
+            dict.getLabel({"nPoints", "number of points"}, Range{2})
+        )
     {
-        dict.getChoiceOrDefault("type", "uniform", {"uniform"});
-        if (nPoints < 2)
-        {
-            dict.fail("nPoints", "A line needs at least two points");
-        }
+        dict.getChoiceOrDefault
+        (
+            {"type", "spacing of the points"}, "uniform", {"uniform"}
+        );
         if (start == end)
         {
             dict.fail("end", "The line begins where it ends");
@@ -76,11 +78,16 @@ public:
         particles_(scene.particles),
         folder_(scene.caseDir, name, scene.startTimeName)
     {
-        for (const word& field : dict.get<wordList>("fields"))
+        const Key fields("fields", "fields to look at", "(U p)");
+        for (const word& field : dict.get<wordList>(fields))
         {
             columns_.add(findField(scene, field, dict, "fields"));
         }
-        const dictionary& lines = dict.subDict("sets");
+        const dictionary& lines = dict.subDict
+        ({
+            "sets", "lines, each with a name",
+            "{ middle { start (0.05 0 0); end (0.05 0.1 0); nPoints 21; } }"
+        });
         for (const word& line : lines.toc())
         {
             lines_.emplace_back(line, lines.subDict(line));

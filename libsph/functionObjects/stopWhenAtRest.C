@@ -63,20 +63,28 @@ public:
         const Range positive = Range::positive();
         fraction_ = dict.getOrDefault
         (
-            "atRestFraction", 0.995, dimless, Range::between(0, 1)
+            {"atRestFraction", "of the mass that must be slow"}, 0.995,
+            dimless, Range::between(0, 1)
         );
         speed_ = dict.getOrDefault
         (
-            "atRestSpeed", 0.01*std::sqrt(scene.g.norm()*gauge_->H0()),
-            dimVelocity, positive
+            {"atRestSpeed", "what is slow; else 0.01 sqrt(|g| H0)", "0.009"},
+            0.01*std::sqrt(scene.g.norm()*gauge_->H0()), dimVelocity, positive
         );
-        tolerance_ = gauge_->L0()
-           *dict.getOrDefault("tolerance", 1e-3, dimless, positive);
-        window_ = gauge_->tc()
-           *dict.getOrDefault("windowByTc", 0.5, dimless, positive);
+        tolerance_ = gauge_->L0()*dict.getOrDefault
+        (
+            {"tolerance", "change of front and height that is none, over L0"},
+            1e-3, dimless, positive
+        );
+        window_ = gauge_->tc()*dict.getOrDefault
+        (
+            {"windowByTc", "time without change, over tc = sqrt(H0/|g|)"},
+            0.5, dimless, positive
+        );
         notBefore_ = gauge_->tc()*dict.getOrDefault
         (
-            "notBeforeTc", 1, dimless, Range::nonNegative()
+            {"notBeforeTc", "time that motion has to begin, over tc"}, 1,
+            dimless, Range::nonNegative()
         );
         fronts_ = RecentValues(window_);
         heights_ = RecentValues(window_);

@@ -41,8 +41,8 @@ public:
         (
             dict.getOrDefault
             (
-                "binWidth", 2*particles_.spacing(), dimLength,
-                Range::positive()
+                {"binWidth", "bins of the profile; else 2 dx", "0.005"},
+                2*particles_.spacing(), dimLength, Range::positive()
             )
         ),
         folder_(scene.caseDir, name, scene.startTimeName)

@@ -5,7 +5,7 @@ namespace sph
 
 static Eigen::Vector3d read
 (
-    const dictionary& dict, const word& key, const std::vector<scalar>& value
+    const dictionary& dict, const Key& key, const std::vector<scalar>& value
 )
 {
     const auto given = dict.getOrDefault<std::vector<scalar>>(key, value);
@@ -13,7 +13,7 @@ static Eigen::Vector3d read
     {
         dict.fail
         (
-            key, "Entry '" + key + "' needs three numbers, such as (0 0 1)"
+            key.name, "Entry '" + key.name + "' needs three numbers, such as (0 0 1)"
         );
     }
     return {given[0], given[1], given[2]};
@@ -21,9 +21,9 @@ static Eigen::Vector3d read
 
 CutPlane::CutPlane(const dictionary& dict)
 :
-    origin(read(dict, "origin", {0, 0, 0})),
-    normal(read(dict, "normal", {0, 0, 1})),
-    e1(read(dict, "e1", {1, 0, 0}))
+    origin(read(dict, {"origin", "a point of the plane"}, {0, 0, 0})),
+    normal(read(dict, {"normal", "across the plane"}, {0, 0, 1})),
+    e1(read(dict, {"e1", "direction that becomes x"}, {1, 0, 0}))
 {
     if (!(normal.norm() > 0))
     {

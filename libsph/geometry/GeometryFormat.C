@@ -19,9 +19,12 @@ static fs::path caseFolder(const dictionary& dict)
 
 std::unique_ptr<GeometryFormat> GeometryFormat::ofFile(const dictionary& dict)
 {
-    const fs::path given = dict.get<word>("file");
+    const fs::path given = dict.get<word>
+    (
+        {"file", "table or surface, from the case", "\"constant/bed.csv\""}
+    );
     const fs::path path = (caseFolder(dict)/given).lexically_normal();
-    if (given.empty() || !fs::is_regular_file(path))
+    if (!dict.fillsIn() && !fs::is_regular_file(path))
     {
         dict.fail
         (
@@ -36,7 +39,11 @@ std::unique_ptr<GeometryFormat> GeometryFormat::ofFile(const dictionary& dict)
         ending.begin(), ending.end(), ending.begin(),
         [](const unsigned char c) { return std::tolower(c); }
     );
-    return New(dict, "format", ending.c_str(), path);
+    return New
+    (
+        dict, {"format", "kind of the file; else by the ending of its name"},
+        ending.c_str(), path
+    );
 }
 
 } // namespace sph

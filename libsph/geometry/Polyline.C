@@ -30,11 +30,10 @@ bool isClosed(const FileLine& line)
 FileLine chosen
 (
     const dictionary& dict, const std::vector<FileLine>& lines,
-    const std::string& file
+    const label number, const std::string& file
 )
 {
     const label count = label(lines.size());
-    const label number = dict.getOrDefault<label>("line", 1);
     if (number >= 1 && number <= count && (count == 1 || dict.found("line")))
     {
         return lines[number - 1];
@@ -55,24 +54,76 @@ FileLine chosen
     dict.fail(dict.found("line") ? "line" : "file", os.str());
 }
 
-void transform(const dictionary& dict, std::vector<vector>& points)
+// What is done with the line of a file
+struct Placement
 {
-    const scalar scale =
-        dict.getOrDefault("scale", 1, dimless, Range::positive());
-    const scalar angle = dict.getOrDefault<scalar>("rotate", 0)*pi/180;
-    const vector shift =
-        dict.getVectorOrDefault("translate", vector::Zero(), dimLength);
-    tensor R = tensor::Identity();
-    if (angle != 0)
+    const label number;
+    const scalar scale;
+    const scalar angle;     // [rad]
+    const vector shift;     // [m]
+    const bool flip;
+    const scalar shortest;  // [m]
+
+    Placement(const dictionary& dict, const scalar shortest)
+    :
+        number
+        (
+            dict.getOrDefault<label>
+            (
+                {"line", "which line of the file, where there are several"}, 1
+            )
+        ),
+        scale
+        (
+            dict.getOrDefault
+            (
+                {"scale", "metres in a unit of the file"}, 1,
+                dimless, Range::positive()
+            )
+        ),
+        angle
+        (
+            pi/180*dict.getOrDefault<scalar>
+            (
+                {"rotate", "anticlockwise about the origin, degrees"}, 0
+            )
+        ),
+        shift
+        (
+            dict.getVectorOrDefault
+            (
+                {"translate", "shift after all else"}, vector::Zero(),
+                dimLength
+            )
+        ),
+        flip(dict.getOrDefault<bool>({"flip", "the other way round"}, false)),
+        shortest
+        (
+            dict.getOrDefault
+            (
+                {
+                    "shortest", "shorter sides are left out; of a wall dx,"
+                    " of a region 0 m if nothing is said", "0.002"
+                },
+                shortest, dimLength, Range::nonNegative()
+            )
+        )
+    {}
+
+    void apply(std::vector<vector>& points) const
     {
-        R << std::cos(angle), -std::sin(angle),
-            std::sin(angle), std::cos(angle);
+        tensor R = tensor::Identity();
+        if (angle != 0)
+        {
+            R << std::cos(angle), -std::sin(angle),
+                std::sin(angle), std::cos(angle);
+        }
+        for (vector& point : points)
+        {
+            point = R*(scale*point) + shift;
+        }
     }
-    for (vector& point : points)
-    {
-        point = R*(scale*point) + shift;
-    }
-}
+};
 
 } // namespace
 
@@ -81,48 +132,56 @@ Polyline::Polyline(const dictionary& dict, const scalar shortest)
 :
     dict_(&dict)
 {
-    if (dict.found("points") == dict.found("geometry"))
+    const Key points
+    {
+        "points", "polyline [m] in order; a wall has the material on its left",
+        "((0 0 0) (0.4 0 0) (0.2 0.2 0))"
+    };
+    const Key geometry
+    {
+        "geometry", "in place of points: a line of a file",
+        "{ file \"constant/bed.csv\"; }"
+    };
+    const bool fromFile = dict.found(geometry);
+    if (fromFile ? dict.found(points) : !dict.found(points) && !dict.fillsIn())
     {
         dict.fail
         (
-            dict.found("points") ? "geometry" : "",
+            fromFile ? "geometry" : "",
             "Either points ( ... ); or geometry { file ...; } must be given"
         );
     }
-    if (dict.found("points"))
+    if (fromFile)
     {
-        points_ = dict.get<std::vector<vector>>("points");
+        readFile(dict.subDict(geometry), shortest);
     }
     else
     {
-        readFile(dict.subDict("geometry"), shortest);
+        points_ = dict.get<std::vector<vector>>(points);
     }
 }
 
 void Polyline::readFile(const dictionary& dict, const scalar shortest)
 {
     const auto format = GeometryFormat::ofFile(dict);
+    const Placement placement(dict, shortest);
     file_ = format->path().string();
-    FileLine line = chosen(dict, format->lines(), file_);
+    FileLine line = chosen(dict, format->lines(), placement.number, file_);
     points_ = std::move(line.points);
     places_ = std::move(line.places);
     mayBeJoined_ = line.mayBeJoined;
-    transform(dict, points_);
-    if (dict.getOrDefault<bool>("flip", false))
+    placement.apply(points_);
+    if (placement.flip)
     {
         std::reverse(points_.begin(), points_.end());
         std::reverse(places_.begin(), places_.end());
     }
-    simplify(dict, shortest);
+    simplify(placement.shortest);
 }
 
-void Polyline::simplify(const dictionary& dict, const scalar shortest)
+void Polyline::simplify(const scalar shortest)
 {
-    const scalar least = dict.getOrDefault
-    (
-        "shortest", shortest, dimLength, Range::nonNegative()
-    );
-    const std::vector<label> left = simplified(points_, least);
+    const std::vector<label> left = simplified(points_, shortest);
     const scalar off = greatestDeparture(points_, left);
     const std::size_t before = points_.size();
     for (std::size_t k = 0; k < left.size(); ++k)

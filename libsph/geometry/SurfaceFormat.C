@@ -16,7 +16,7 @@ SurfaceFormat::SurfaceFormat
 )
 :
     GeometryFormat(path),
-    plane_(dict.subOrEmptyDict("plane"))
+    plane_(dict.subOrEmptyDict({"plane", "what cuts the surface"}))
 {}
 
 vtkSmartPointer<vtkPolyData> SurfaceFormat::outputOf

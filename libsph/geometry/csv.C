@@ -18,7 +18,13 @@ public:
     csv(const dictionary& dict, const std::filesystem::path& path)
     :
         GeometryFormat(path),
-        columns_(dict.getOrDefault<wordList>("columns", {"x", "y"}))
+        columns_
+        (
+            dict.getOrDefault<wordList>
+            (
+                {"columns", "names of the columns of x and y"}, {"x", "y"}
+            )
+        )
     {
         if (columns_.size() != 2)
         {

@@ -18,6 +18,7 @@ class vtp : public SurfaceFormat
     vtkSmartPointer<vtkPolyData> read() const override
     {
         vtkNew<VtkReader> reader;
+        reader->readCells();
         reader->SetFileName(path().c_str());
         return outputOf(*reader);
     }

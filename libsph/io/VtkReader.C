@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
 #include <vector>
 #include <vtkAbstractArray.h>
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
 #include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
 #include <vtkXMLDataElement.h>
 
 namespace sph
@@ -43,32 +47,32 @@ double number
     return value;
 }
 
-// Leaves out what nobody here asks for: cells, lists of words, keys of VTK
-void prune(vtkXMLDataElement& element)
+// Leaves out what nobody here asks for: lists of words, keys of VTK, data of
+// cells and, as a rule, cells
+void prune(vtkXMLDataElement& element, const bool cells)
 {
-    for (const char* cells : {"Verts", "Lines", "Strips", "Polys"})
+    std::set<std::string> unwanted{"CellData", "Array", "InformationKey"};
+    for (const std::string kind : {"Verts", "Lines", "Strips", "Polys"})
     {
-        const std::string number = std::string("NumberOf") + cells;
+        if (cells)
+        {
+            continue;
+        }
+        unwanted.insert(kind);
         if (nameOf(element) == "Piece")
         {
-            element.SetIntAttribute(number.c_str(), 0);
+            element.SetIntAttribute(("NumberOf" + kind).c_str(), 0);
         }
     }
     for (vtkXMLDataElement* part : below(element))
     {
-        const std::string name = nameOf(*part);
-        if
-        (
-            name == "CellData" || name == "Array" || name == "InformationKey"
-         || name == "Verts" || name == "Lines" || name == "Strips"
-         || name == "Polys"
-        )
+        if (unwanted.count(nameOf(*part)) > 0)
         {
             element.RemoveNestedElement(part);
         }
         else
         {
-            prune(*part);
+            prune(*part, cells);
         }
     }
 }
@@ -142,7 +146,7 @@ int VtkReader::ReadVTKFile(vtkXMLDataElement* root)
     {
         error = "The elements are nested too deeply";
     }
-    prune(*root);
+    prune(*root, cells_);
 
     // A value takes a byte at least, a thousandth of one if compressed
     std::error_code ignored;
@@ -162,6 +166,39 @@ int VtkReader::ReadVTKFile(vtkXMLDataElement* root)
         return 0;
     }
     return Superclass::ReadVTKFile(root);
+}
+
+int VtkReader::RequestData
+(
+    vtkInformation* request, vtkInformationVector** input,
+    vtkInformationVector* output
+)
+{
+    const int done = Superclass::RequestData(request, input, output);
+    vtkPolyData& data = *GetOutput();
+    for
+    (
+        vtkCellArray* cells :
+        {data.GetVerts(), data.GetLines(), data.GetStrips(), data.GetPolys()}
+    )
+    {
+        double range[2] = {0, -1};
+        if (cells->IsValid() && cells->GetNumberOfConnectivityIds() > 0)
+        {
+            cells->GetConnectivityArray()->GetRange(range);
+        }
+        if
+        (
+            !cells->IsValid() || range[0] < 0
+         || range[1] >= double(data.GetNumberOfPoints())
+        )
+        {
+            data.Initialize();
+            vtkErrorMacro(<< "A cell has points that are not there");
+            return 0;
+        }
+    }
+    return done;
 }
 
 int VtkReader::ReadArrayValues

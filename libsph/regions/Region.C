@@ -31,10 +31,19 @@ scalar Region::area() const
     return length*dy;
 }
 
+static const Key regionsKey
+(
+    "regions", "two or more regions, each with a name",
+    "(\n"
+    "    foot { type box; min (0 0 0); max (0.2 0.05 0); }\n"
+    "    head { type circle; centre (0.1 0.05 0); radius 0.04; }\n"
+    ")"
+);
+
 RegionList readMembers(const dictionary& dict)
 {
     RegionList members;
-    for (const auto& [name, memberDict] : dict.dictList("regions"))
+    for (const auto& [name, memberDict] : dict.dictList(regionsKey))
     {
         members.push_back(Region::New(*memberDict));
     }

@@ -16,8 +16,15 @@ class box : public Outline
 {
     static std::vector<vector> corners(const dictionary& dict)
     {
-        const vector min = dict.getVector("min", dimLength);
-        const vector max = dict.getVector("max", dimLength);
+        const vector min = dict.getVector
+        (
+            {"min", "corner with the least x and y", "(0 0 0)"}, dimLength
+        );
+        const vector max = dict.getVector
+        (
+            {"max", "corner with the greatest x and y", "(0.1 0.1 0)"},
+            dimLength
+        );
         for (const label d : {0, 1})
         {
             if (!(min[d] < max[d]))

@@ -22,8 +22,21 @@ class circle : public Region
 public:
     explicit circle(const dictionary& dict)
     :
-        centre_(dict.getVector("centre", dimLength)),
-        radius_(dict.get("radius", dimLength, Range::positive()))
+        centre_
+        (
+            dict.getVector
+            (
+                {"centre", "centre of the disc", "(0.1 0.1 0)"}, dimLength
+            )
+        ),
+        radius_
+        (
+            dict.get
+            (
+                {"radius", "radius of the disc", "0.05"},
+                dimLength, Range::positive()
+            )
+        )
     {}
 
     bool inside(const vector& point) const override

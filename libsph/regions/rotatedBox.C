@@ -18,9 +18,18 @@ class rotatedBox : public Outline
 {
     static std::vector<vector> corners(const dictionary& dict)
     {
-        const vector origin = dict.getVector("origin", dimLength);
-        const vector i = dict.getVector("i", dimLength);
-        const vector j = dict.getVector("j", dimLength);
+        const vector origin = dict.getVector
+        (
+            {"origin", "one corner", "(0.1 0 0)"}, dimLength
+        );
+        const vector i = dict.getVector
+        (
+            {"i", "one side from there", "(0.1 0.05 0)"}, dimLength
+        );
+        const vector j = dict.getVector
+        (
+            {"j", "the other, at right angles", "(-0.05 0.1 0)"}, dimLength
+        );
         if (!(i.norm() > 0))
         {
             dict.fail("i", "The side i has no length");

@@ -27,7 +27,14 @@ public:
     Bingham(const dictionary& dict, const EquationOfState&)
     :
         YieldStress(dict),
-        eta_(dict.get("eta", dimDynamicViscosity, Range::nonNegative()))
+        eta_
+        (
+            dict.get
+            (
+                {"eta", "plastic viscosity", "0.5"},
+                dimDynamicViscosity, Range::nonNegative()
+            )
+        )
     {}
 
     void correct

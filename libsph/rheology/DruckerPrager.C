@@ -22,7 +22,14 @@ public:
     DruckerPrager(const dictionary& dict, const EquationOfState& eos)
     :
         ElastoViscoplastic(dict, eos),
-        mus_(dict.get("mus", dimless, Range::nonNegative()))
+        mus_
+        (
+            dict.get
+            (
+                {"mus", "friction coefficient", "0.3819"},
+                dimless, Range::nonNegative()
+            )
+        )
     {}
 
     void correct

@@ -30,9 +30,23 @@ public:
     HerschelBulkley(const dictionary& dict, const EquationOfState&)
     :
         YieldStress(dict),
-        k_(dict.get<scalar>("k")),
-        n_(dict.get("n", dimless, Range::between(0.1, 5))),
-        alphas_(dict.getOrDefault("alphas", 1e-6, dimRate, Range::positive()))
+        k_(dict.get<scalar>({"k", "consistency [Pa s^n]", "0.5"})),
+        n_
+        (
+            dict.get
+            (
+                {"n", "power of the rate", "0.6"},
+                dimless, Range::between(0.1, 5)
+            )
+        ),
+        alphas_
+        (
+            dict.getOrDefault
+            (
+                {"alphas", "rate that keeps the power finite at rest"}, 1e-6,
+                dimRate, Range::positive()
+            )
+        )
     {
         if (k_ < 0)
         {

@@ -17,7 +17,14 @@ class Newtonian : public GeneralisedNewtonian
 public:
     Newtonian(const dictionary& dict, const EquationOfState&)
     :
-        eta_(dict.get("eta", dimDynamicViscosity, Range::nonNegative()))
+        eta_
+        (
+            dict.get
+            (
+                {"eta", "viscosity", "1"},
+                dimDynamicViscosity, Range::nonNegative()
+            )
+        )
     {}
 
     void correct

@@ -39,11 +39,46 @@ static scalar lowerBound
 
 WellPosedFriction::WellPosedFriction(const dictionary& dict)
 :
-    mus_(dict.get("mus", dimless, Range::positive())),
-    mu2_(dict.get("mu2", dimless, Range::positive())),
-    I0_(dict.get("I0", dimless, Range::positive())),
-    muInf_(dict.getOrDefault("muInf", 0.05, dimless, Range::nonNegative())),
-    alpha_(dict.getOrDefault("alpha", 1.9, dimless, Range::between(0.1, 2)))
+    mus_
+    (
+        dict.get
+        (
+            {"mus", "friction coefficient of slow flow", "0.3819"},
+            dimless, Range::positive()
+        )
+    ),
+    mu2_
+    (
+        dict.get
+        (
+            {"mu2", "friction coefficient of fast flow", "0.6435"},
+            dimless, Range::positive()
+        )
+    ),
+    I0_
+    (
+        dict.get
+        (
+            {"I0", "inertial number halfway between", "0.279"},
+            dimless, Range::positive()
+        )
+    ),
+    muInf_
+    (
+        dict.getOrDefault
+        (
+            {"muInf", "rise of the friction with I in fast flow"}, 0.05,
+            dimless, Range::nonNegative()
+        )
+    ),
+    alpha_
+    (
+        dict.getOrDefault
+        (
+            {"alpha", "of the friction near rest, sqrt(alpha/log(A/I))"}, 1.9,
+            dimless, Range::between(0.1, 2)
+        )
+    )
 {
     if (mu2_ < mus_)
     {

@@ -61,9 +61,23 @@ public:
     )
     :
         ReturnMapping(dict, eos),
-        tau0_(dict.get("tau0", dimPressure, Range::nonNegative())),
-        k_(dict.get<scalar>("k")),
-        n_(dict.getOrDefault("n", 1, dimless, Range::between(0.1, 5)))
+        tau0_
+        (
+            dict.get
+            (
+                {"tau0", "yield stress", "20"},
+                dimPressure, Range::nonNegative()
+            )
+        ),
+        k_(dict.get<scalar>({"k", "consistency [Pa s^n]", "0.5"})),
+        n_
+        (
+            dict.getOrDefault
+            (
+                {"n", "power of the rate; 1: Bingham"}, 1,
+                dimless, Range::between(0.1, 5)
+            )
+        )
     {
         if (k_ < 0)
         {

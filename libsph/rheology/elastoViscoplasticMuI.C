@@ -37,9 +37,30 @@ public:
     elastoViscoplasticMuI(const dictionary& dict, const EquationOfState& eos)
     :
         ElastoViscoplastic(dict, eos),
-        mus_(dict.get("mus", dimless, Range::nonNegative())),
-        mu2_(dict.get("mu2", dimless, Range::nonNegative())),
-        I0_(dict.get("I0", dimless, Range::positive()))
+        mus_
+        (
+            dict.get
+            (
+                {"mus", "friction coefficient of slow flow", "0.3819"},
+                dimless, Range::nonNegative()
+            )
+        ),
+        mu2_
+        (
+            dict.get
+            (
+                {"mu2", "friction coefficient of fast flow", "0.6435"},
+                dimless, Range::nonNegative()
+            )
+        ),
+        I0_
+        (
+            dict.get
+            (
+                {"I0", "inertial number between slow and fast", "0.279"},
+                dimless, Range::positive()
+            )
+        )
     {
         if (mu2_ < mus_)
         {

@@ -48,29 +48,82 @@ class muI : public GeneralisedNewtonian
 public:
     muI(const dictionary& dict, const EquationOfState&)
     :
-        mus_(dict.get("mus", dimless, Range::nonNegative())),
-        mu2_(dict.get("mu2", dimless, Range::nonNegative())),
-        I0_(dict.get("I0", dimless, Range::positive())),
-        d_(dict.get("d", dimLength, Range::positive())),
-        rhos_(dict.get("rhos", dimDensity, Range::positive())),
+        mus_
+        (
+            dict.get
+            (
+                {"mus", "friction coefficient of slow flow", "0.3819"},
+                dimless, Range::nonNegative()
+            )
+        ),
+        mu2_
+        (
+            dict.get
+            (
+                {"mu2", "friction coefficient of fast flow", "0.6435"},
+                dimless, Range::nonNegative()
+            )
+        ),
+        I0_
+        (
+            dict.get
+            (
+                {"I0", "inertial number between slow and fast", "0.279"},
+                dimless, Range::positive()
+            )
+        ),
+        d_
+        (
+            dict.get
+            (
+                {"d", "diameter of a grain", "5e-4"},
+                dimLength, Range::positive()
+            )
+        ),
+        rhos_
+        (
+            dict.get
+            (
+                {"rhos", "density of a grain", "2500"},
+                dimDensity, Range::positive()
+            )
+        ),
         cap_
         (
-            dict.getChoice("regularisation", {"cap", "Papanastasiou"}) == "cap"
+            dict.getChoice
+            (
+                {"regularisation", "what bounds the viscosity at rest", "cap"},
+                {"cap", "Papanastasiou"}
+            )
+         == "cap"
         ),
         etaMax_
         (
             cap_
-          ? dict.get("etaMax", dimDynamicViscosity, Range::positive()) : 0
+          ? dict.get
+            (
+                {"etaMax", "greatest viscosity", "20"},
+                dimDynamicViscosity, Range::positive()
+            )
+          : 0
         ),
         alphar_
         (
             cap_ ? 0
-          : dict.getOrDefault("alphar", 0.01, dimRate, Range::positive())
+          : dict.getOrDefault
+            (
+                {"alphar", "shear rate below which friction fades, Eq. 39"},
+                0.01, dimRate, Range::positive()
+            )
         ),
         alphas_
         (
             cap_ ? 0
-          : dict.getOrDefault("alphas", 1e-6, dimRate, Range::nonNegative())
+          : dict.getOrDefault
+            (
+                {"alphas", "the same of its second term"},
+                1e-6, dimRate, Range::nonNegative()
+            )
         ),
         xi_(I0_/(d_*std::sqrt(rhos_)))
     {

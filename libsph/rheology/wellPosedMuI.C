@@ -32,9 +32,30 @@ public:
     wellPosedMuI(const dictionary& dict, const EquationOfState&)
     :
         law_(dict),
-        d_(dict.get("d", dimLength, Range::positive())),
-        rhos_(dict.get("rhos", dimDensity, Range::positive())),
-        etaMax_(dict.get("etaMax", dimDynamicViscosity, Range::positive()))
+        d_
+        (
+            dict.get
+            (
+                {"d", "diameter of a grain", "5e-4"},
+                dimLength, Range::positive()
+            )
+        ),
+        rhos_
+        (
+            dict.get
+            (
+                {"rhos", "density of a grain", "2500"},
+                dimDensity, Range::positive()
+            )
+        ),
+        etaMax_
+        (
+            dict.get
+            (
+                {"etaMax", "greatest viscosity", "20"},
+                dimDynamicViscosity, Range::positive()
+            )
+        )
     {}
 
     void correct

@@ -68,6 +68,11 @@ scalar Time::endTime() const
     return data_->controls.endTime;
 }
 
+scalar Time::stopTime() const
+{
+    return data_->stopTime();
+}
+
 scalar Time::deltaT() const
 {
     return data_->state.deltaT;
@@ -148,7 +153,7 @@ void Time::setDeltaT(const scalar stable)
     d.warnOfManySteps(stable);
     d.state.deltaTLimit = d.limitedDeltaT(stable);
     d.state.deltaT = d.shortenedDeltaT(d.state.deltaTLimit);
-    std::cout << "deltaT = " << d.state.deltaT << '\n';
+    stepLog() << "deltaT = " << d.state.deltaT << '\n';
 }
 
 scalar Time::grownDeltaT(const scalar stable) const
@@ -175,7 +180,7 @@ void Time::advance()
     d.stepped = true;
     d.rename(previous);
     d.decideWriteAndStop();
-    std::cout << "Time = " << d.name << "\n\n";
+    stepLog() << "Time = " << d.name << "\n\n";
     d.answerSignals();
 }
 
@@ -240,7 +245,7 @@ void Time::wroteState()
 
 void Time::printExecutionTime() const
 {
-    std::cout
+    stepLog()
         << "ExecutionTime = " << cpuTime() << " s  ClockTime = "
         << std::int64_t(clockTime()) << " s\n" << std::endl;
 }

@@ -14,7 +14,7 @@ namespace
 template<class Enum>
 Enum choice
 (
-    const dictionary& dict, const word& key,
+    const dictionary& dict, const Key& key,
     const word& defaultName, const wordList& names
 )
 {
@@ -26,30 +26,7 @@ Enum choice
             return static_cast<Enum>(i);
         }
     }
-    dict.fail(key, "Unknown " + key + ' ' + name);
-}
-
-label boundedLabel
-(
-    const dictionary& dict, const word& key,
-    const label defaultValue, const label min, const label max
-)
-{
-    const label value = dict.getOrDefault<label>(key, defaultValue);
-    if (value < min || value > max)
-    {
-        dict.fail
-        (
-            key,
-            key + ' ' + std::to_string(value) + " must be "
-          + (
-                max == std::numeric_limits<label>::max()
-              ? "at least " + std::to_string(min)
-              : "from " + std::to_string(min) + " to " + std::to_string(max)
-            )
-        );
-    }
-    return value;
+    dict.fail(key.name, "Unknown " + key.name + ' ' + name);
 }
 
 } // namespace
@@ -62,12 +39,19 @@ TimeControls::TimeControls(const dictionary& dict)
     readWriting(dict);
     readFormats(dict);
 
-    runTimeModifiable = dict.getOrDefault<bool>("runTimeModifiable", true);
+    runTimeModifiable = dict.getOrDefault<bool>
+    (
+        {"runTimeModifiable", "this file is read again when it was edited"},
+        true
+    );
 
-    // For the run scripts
-    if (dict.found("application"))
+    const Key application
+    (
+        "application", "solver of the case, for Allrun", "granularFoamSPH"
+    );
+    if (dict.found(application))
     {
-        dict.markUsed("application");
+        dict.get<word>(application);
     }
 }
 
@@ -75,25 +59,29 @@ void TimeControls::readStartAndStop(const dictionary& dict)
 {
     startFrom = choice<StartFrom>
     (
-        dict, "startFrom", "latestTime",
+        dict, {"startFrom", "time folder to start from"}, "latestTime",
         {"firstTime", "startTime", "latestTime"}
     );
     startTime =
         startFrom == StartFrom::startTime
-      ? dict.get("startTime", dimTime)
-      : dict.getOrDefault("startTime", 0, dimTime);
+      ? dict.get({"startTime", "time to start from", "0"}, dimTime)
+      : dict.getOrDefault
+        (
+            {"startTime", "time that setParticles writes"}, 0, dimTime
+        );
 
     stopAt = choice<StopAt>
     (
-        dict, "stopAt", "endTime",
+        dict, {"stopAt", "when to stop"}, "endTime",
         {"endTime", "writeNow", "noWriteNow", "nextWrite"}
     );
     endTime =
         stopAt == StopAt::endTime
-      ? dict.get("endTime", dimTime)
+      ? dict.get({"endTime", "end of the run", "1"}, dimTime)
       : dict.getOrDefault
         (
-            "endTime", std::numeric_limits<scalar>::infinity(), dimTime
+            {"endTime", "end of the run"},
+            std::numeric_limits<scalar>::infinity(), dimTime
         );
 }
 
@@ -101,14 +89,29 @@ void TimeControls::readStep(const dictionary& dict)
 {
     const scalar inf = std::numeric_limits<scalar>::infinity();
 
-    adjustTimeStep = dict.getOrDefault<bool>("adjustTimeStep", false);
+    adjustTimeStep = dict.getOrDefault<bool>
+    (
+        {"adjustTimeStep", "steps follow maxCo and the limits of stability"},
+        false
+    );
+    const Key first
+    (
+        "deltaT", "the step; with adjustTimeStep the first", "1e-5"
+    );
     deltaT =
-        adjustTimeStep && !dict.found("deltaT")
+        adjustTimeStep && !dict.found(first)
       ? 0
-      : dict.get("deltaT", dimTime, Range::positive());
-    maxCo = dict.getOrDefault("maxCo", 0.4, dimless, Range{0, 1, false, true});
-    maxDeltaT =
-        dict.getOrDefault("maxDeltaT", inf, dimTime, Range::positive());
+      : dict.get(first, dimTime, Range::positive());
+    maxCo = dict.getOrDefault
+    (
+        {"maxCo", "Courant number of steps that are adjusted"}, 0.4,
+        dimless, Range{0, 1, false, true}
+    );
+    maxDeltaT = dict.getOrDefault
+    (
+        {"maxDeltaT", "greatest step that is adjusted"}, inf,
+        dimTime, Range::positive()
+    );
 }
 
 void TimeControls::readWriting(const dictionary& dict)
@@ -116,7 +119,7 @@ void TimeControls::readWriting(const dictionary& dict)
     // adjustableRunTime is OpenFOAM's longer name of adjustable
     const int control = choice<int>
     (
-        dict, "writeControl", "timeStep",
+        dict, {"writeControl", "what writeInterval counts"}, "timeStep",
         {
             "timeStep", "runTime", "adjustable", "clockTime", "cpuTime",
             "adjustableRunTime"
@@ -128,7 +131,10 @@ void TimeControls::readWriting(const dictionary& dict)
     const bool steps = writeControl == WriteControl::timeStep;
     writeInterval = dict.get
     (
-        "writeInterval", steps ? dimless : dimTime, Range::positive()
+        steps
+      ? Key("writeInterval", "steps from write to write", "1000")
+      : Key("writeInterval", "time from write to write", "0.05"),
+        steps ? dimless : dimTime, Range::positive()
     );
     if (steps && writeInterval != std::floor(writeInterval))
     {
@@ -139,20 +145,24 @@ void TimeControls::readWriting(const dictionary& dict)
           + " must be a whole number of steps with writeControl timeStep"
         );
     }
-    purgeWrite = boundedLabel
+    purgeWrite = dict.getLabelOrDefault
     (
-        dict, "purgeWrite", 0, 0, std::numeric_limits<label>::max()
+        {"purgeWrite", "time folders of this run to keep; 0: all"}, 0, Range{0}
     );
 }
 
 void TimeControls::readFormats(const dictionary& dict)
 {
     writeAscii =
-        dict.getChoiceOrDefault("writeFormat", "binary", {"binary", "ascii"})
+        dict.getChoiceOrDefault
+        (
+            {"writeFormat", "format of the files of the particles"},
+            "binary", {"binary", "ascii"}
+        )
      == "ascii";
     const word compression = dict.getChoiceOrDefault
     (
-        "writeCompression", "off",
+        {"writeCompression", "zlib compression of binary files"}, "off",
         {
             "off", "on", "no", "yes", "false", "true",
             "uncompressed", "compressed"
@@ -170,12 +180,21 @@ void TimeControls::readFormats(const dictionary& dict)
             " binary can be compressed"
         );
     }
-    writePrecision = boundedLabel(dict, "writePrecision", 17, 1, 17);
+    writePrecision = dict.getLabelOrDefault
+    (
+        {"writePrecision", "digits of ascii files"}, 17, Range::between(1, 17)
+    );
     timeFormat = choice<TimeFormat>
     (
-        dict, "timeFormat", "general", {"general", "fixed", "scientific"}
+        dict, {"timeFormat", "notation of the names of time folders"},
+        "general",
+        {"general", "fixed", "scientific"}
     );
-    timePrecision = boundedLabel(dict, "timePrecision", 6, 1, 17);
+    timePrecision = dict.getLabelOrDefault
+    (
+        {"timePrecision", "digits of the names of time folders"}, 6,
+        Range::between(1, 17)
+    );
 }
 
 scalar TimeControls::grownDeltaT(const scalar stable) const

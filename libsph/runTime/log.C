@@ -48,6 +48,19 @@ int threads()
 } // namespace
 
 
+static bool muted = false;
+
+std::ostream& stepLog()
+{
+    static std::ostream nobody(nullptr);
+    return muted ? nobody : std::cout;
+}
+
+void muteStepLog(const bool mute)
+{
+    muted = mute;
+}
+
 void warning(const std::string& text)
 {
     std::cout.flush();

@@ -66,6 +66,22 @@ scalar Time::Data::nextTarget() const
       ? next : controls.endTime;
 }
 
+scalar Time::Data::stopTime() const
+{
+    switch (controls.stopAt)
+    {
+        case TimeControls::StopAt::endTime:
+            return controls.endTime;
+        case TimeControls::StopAt::nextWrite:
+            return
+                controls.writesBySimulatedTime()
+              ? scalar(writeIndex + 1)*controls.writeInterval
+              : std::numeric_limits<scalar>::infinity();
+        default:
+            return state.value;
+    }
+}
+
 scalar Time::Data::shortenedDeltaT(const scalar limit) const
 {
     const scalar remaining = nextTarget() - state.value;

@@ -32,7 +32,7 @@ class Mangeney2010 : public RunoutLaw
 
     static scalar degrees
     (
-        const dictionary& dict, const word& entry, const scalar value,
+        const dictionary& dict, const Key& entry, const scalar value,
         const Range& range
     )
     {
@@ -43,16 +43,41 @@ public:
     explicit Mangeney2010(const dictionary& dict)
     :
         RunoutLaw(dict),
-        k_(dict.getOrDefault("k", 0.5, dimless, Range::positive())),
+        k_
+        (
+            dict.getOrDefault
+            (
+                {"k", "factor of the run-out"}, 0.5, dimless, Range::positive()
+            )
+        ),
         tanDelta_
         (
             std::tan
             (
-                M_PI/180*degrees(dict, "delta", 25.5, Range::between(1, 60))
+                M_PI/180*degrees
+                (
+                    dict, {"delta", "angle of avalanche [deg]"}, 25.5,
+                    Range::between(1, 60)
+                )
             )
         ),
-        beta_(dict.getOrDefault("beta", 0.76, dimless, Range::positive())),
-        horizontal_(degrees(dict, "theta", 0, Range::any()) == 0)
+        beta_
+        (
+            dict.getOrDefault
+            (
+                {"beta", "factor of the height"}, 0.76,
+                dimless, Range::positive()
+            )
+        ),
+        horizontal_
+        (
+            degrees
+            (
+                dict, {"theta", "slope of the bed [deg]: a law for 0 only"},
+                0, Range::any()
+            )
+         == 0
+        )
     {}
 
     LawValue runout(const scalar a) const override

@@ -36,7 +36,8 @@ RunoutLaw::RunoutLaw(const dictionary& dict)
     (
         dict.getChoiceOrDefault
         (
-            "gap", "interpolate", {"interpolate", "noLaw"}
+            {"gap", "between the ranges of two fits"}, "interpolate",
+            {"interpolate", "noLaw"}
         )
      == "interpolate"
     )

@@ -19,7 +19,10 @@ Guard::Guard
 :
     material_(material)
 {
-    const dictionary& domain = solution.subOrEmptyDict("domain");
+    const dictionary& domain = solution.subOrEmptyDict
+    (
+        {"domain", "box that no particle may leave"}
+    );
     vector min = particles.r[0], max = particles.r[0];
     for (const ParticleRange& range : {particles.granular(), particles.walls()})
     {
@@ -32,11 +35,19 @@ Guard::Guard
     const scalar margin = 10*(max - min).norm();
     min_ = domain.getVectorOrDefault
     (
-        "min", min - vector::Constant(margin), dimLength
+        {
+            "min", "its lower corner; else ten sizes of the scene away",
+            "(-1 -1 0)"
+        },
+        min - vector::Constant(margin), dimLength
     );
     max_ = domain.getVectorOrDefault
     (
-        "max", max + vector::Constant(margin), dimLength
+        {
+            "max", "its upper corner; else ten sizes of the scene away",
+            "(1 1 0)"
+        },
+        max + vector::Constant(margin), dimLength
     );
     for (label i = 0; i < particles.granular().end; ++i)
     {

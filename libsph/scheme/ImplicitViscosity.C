@@ -28,7 +28,8 @@ bool ImplicitViscosity::selected(const dictionary& solution)
     return
         solution.getChoiceOrDefault
         (
-            "viscousIntegration", "explicit", {"explicit", "implicit"}
+            {"viscousIntegration", "of the force of Morris or Cleary"},
+            "explicit", {"explicit", "implicit"}
         )
      == "implicit";
 }
@@ -80,15 +81,24 @@ ImplicitViscosity::ImplicitViscosity
             "sleep", "Particles cannot sleep with viscousIntegration implicit"
         );
     }
-    const dictionary& dict = solution.subOrEmptyDict("viscousSolver");
-    tolerance_ =
-        dict.getOrDefault("tolerance", 1e-6, dimless, Range::positive());
-    relTol_ = dict.getOrDefault("relTol", 0, dimless, Range::between(0, 1));
-    maxIter_ = dict.getOrDefault<label>("maxIter", 500);
-    if (maxIter_ < 1)
-    {
-        dict.fail("maxIter", "The solver needs at least one iteration");
-    }
+    const dictionary& dict = solution.subOrEmptyDict
+    (
+        {"viscousSolver", "solver of an implicit step"}
+    );
+    tolerance_ = dict.getOrDefault
+    (
+        {"tolerance", "residual over the right-hand side"}, 1e-6,
+        dimless, Range::positive()
+    );
+    relTol_ = dict.getOrDefault
+    (
+        {"relTol", "residual over that of the first guess"}, 0,
+        dimless, Range::between(0, 1)
+    );
+    maxIter_ = dict.getLabelOrDefault
+    (
+        {"maxIter", "most iterations"}, 500, Range{1}
+    );
 }
 
 ImplicitViscosity::~ImplicitViscosity() = default;
@@ -150,7 +160,7 @@ void ImplicitViscosity::solve(const scalar deltaT)
 
 void ImplicitViscosity::report(const scalar initial, const scalar target)
 {
-    std::cout << "PCG:  Solving for U, Initial residual = " << initial
+    stepLog() << "PCG:  Solving for U, Initial residual = " << initial
         << ", Final residual = " << finalResidual_ << ", No Iterations "
         << iterations_ << '\n';
     if (!std::isfinite(initial) || !std::isfinite(finalResidual_))

@@ -11,11 +11,43 @@ Material::Material
     const dictionary& dict, const vector& g, const scalar spacing
 )
 :
-    rho0_(dict.get("rho0", dimDensity, Range::positive())),
-    eos_(EquationOfState::New(dict, "equationOfState", rho0_, g.norm())),
-    rheology_(Rheology::New(dict, "rheology", *eos_)),
-    turbulence_(Turbulence::New(dict, "turbulence", "laminar", spacing)),
-    sideWalls_(SideWalls::New(dict, "sideWalls", "none"))
+    rho0_(readRho0(dict)),
+    eos_
+    (
+        EquationOfState::New
+        (
+            dict, {"equationOfState", "pressure from density", "linear"},
+            rho0_, g.norm()
+        )
+    ),
+    rheology_
+    (
+        Rheology::New
+        (
+            dict,
+            {
+                "rheology", "law of the deviatoric stress",
+                "elastoViscoplasticMuI"
+            },
+            *eos_
+        )
+    ),
+    turbulence_
+    (
+        Turbulence::New
+        (
+            dict, {"turbulence", "sub-particle-scale stress"}, "laminar",
+            spacing
+        )
+    ),
+    sideWalls_
+    (
+        SideWalls::New
+        (
+            dict, {"sideWalls", "friction of the walls in front and behind"},
+            "none"
+        )
+    )
 {
     for
     (
@@ -29,6 +61,14 @@ Material::Material
         std::cout << "Selecting " << entry << ' '
             << dict.getOrDefault<word>(entry, missing) << '\n';
     }
+}
+
+scalar Material::readRho0(const dictionary& dict)
+{
+    return dict.get
+    (
+        {"rho0", "bulk density at rest", "1600"}, dimDensity, Range::positive()
+    );
 }
 
 scalar Material::cP() const

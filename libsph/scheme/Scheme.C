@@ -14,7 +14,15 @@ static std::unique_ptr<ViscousScheme> newViscousScheme
     const Material& material
 )
 {
-    auto scheme = ViscousScheme::New(schemes, "viscousScheme", particles);
+    auto scheme = ViscousScheme::New
+    (
+        schemes,
+        {
+            "viscousScheme", "how the shear stress makes a force",
+            "stressDivergence"
+        },
+        particles
+    );
     if (boundaries.anyFriction() && !scheme->stressCarriesShear())
     {
         schemes.fail
@@ -62,23 +70,44 @@ Scheme::Scheme
     (
         Kernel::New
         (
-            schemes, "kernel",
-            particles.spacing()
-           *schemes.getOrDefault("hByDx", 1.3, dimless, Range::between(1, 3))
+            schemes, {"kernel", "interpolating function W", "cubicSpline"},
+            particles.spacing()*schemes.getOrDefault
+            (
+                {"hByDx", "smoothing length over the spacing"}, 1.3,
+                dimless, Range::between(1, 3)
+            )
         )
     ),
     neighbourhood_
     (
         particles, boundaries, kernel_->cutOff(),
-        kernel_->h()
-       *solution.getOrDefault("skin", 0.16, dimless, Range::between(0.01, 2))
+        kernel_->h()*solution.getOrDefault
+        (
+            {"skin", "reach of the pair lists beyond the kernel's, over h"},
+            0.16, dimless, Range::between(0.01, 2)
+        )
     ),
     gradientWalk_(particles),
     forceWalk_(particles),
     wallVelocityWalk_(particles),
     wallStressWalk_(particles),
-    correction_(Correction::New(schemes, "correction")),
-    shifting_(Shifting::New(schemes, "shifting", particles, *kernel_)),
+    correction_
+    (
+        Correction::New
+        (
+            schemes,
+            {"correction", "correction of kernel gradients", "bulkBlended"}
+        )
+    ),
+    shifting_
+    (
+        Shifting::New
+        (
+            schemes,
+            {"shifting", "keeps particles evenly spread", "strainRate"},
+            particles, *kernel_
+        )
+    ),
     stressDivergence_(g),
     viscousScheme_
     (
@@ -88,12 +117,22 @@ Scheme::Scheme
     (
         ArtificialViscosity::New
         (
-            schemes, "artificialViscosity", material.eos(), *kernel_
+            schemes,
+            {
+                "artificialViscosity", "numerical dissipation of velocity",
+                "gradientCorrected"
+            },
+            material.eos(), *kernel_
         )
     ),
     stabilisation_
     (
-        Stabilisation::New(schemes, "stabilisation", material.eos(), *kernel_)
+        Stabilisation::New
+        (
+            schemes,
+            {"stabilisation", "diffusion of density noise", "deltaSPH"},
+            material.eos(), *kernel_
+        )
     ),
     implicitViscosity_
     (
@@ -109,6 +148,16 @@ Scheme::Scheme
     wallTraction_(particles, boundaries, material.eos(), g),
     wallForces_(particles, boundaries)
 {
+    if (viscousScheme_->needsExactGradU() && !correction_->isExact())
+    {
+        schemes.fail
+        (
+            "correction",
+            "viscousScheme " + schemes.get<word>("viscousScheme")
+          + " needs corrected gradients: correction kernelGradient or"
+            " bulkBlended"
+        );
+    }
     gradientWalk_.add(*correction_);
     gradientWalk_.add(velocityGradient_);
     if (stabilisation_->needsGradRho())

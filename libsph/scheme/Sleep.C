@@ -20,7 +20,8 @@ Sleep::Sleep
     h_(h),
     magG_(ground.g.norm())
 {
-    if (!solution.found("sleep"))
+    const Key key("sleep", "particles at rest are not computed", "{}");
+    if (!solution.found(key))
     {
         return;
     }
@@ -41,19 +42,35 @@ Sleep::Sleep
 
 void Sleep::read(const dictionary& dict)
 {
-    const auto entry = [&](const char* name, scalar value, scalar most)
+    const auto entry = [&](const Key& key, scalar value, scalar most)
     {
         return dict.getOrDefault
         (
-            name, value, dimless, Range{0, most, false, true}
+            key, value, dimless, Range{0, most, false, true}
         );
     };
-    speed_ = entry("speed", 0.02, 0.2);
-    mean_ = entry("mean", 0.01, 0.2);
-    imbalance_ = entry("imbalance", 0.08, 1);
-    period_ = entry("period", 0.1, 10);
-    rest_ = entry("rest", 0.002, 0.2);
-    damping_ = dict.getOrDefault("damping", 0.05, dimless, Range::positive());
+    speed_ = entry
+    (
+        {"speed", "what is faster flows; over sqrt(g H)"}, 0.02, 0.2
+    );
+    mean_ = entry({"mean", "what is faster in the mean flows"}, 0.01, 0.2);
+    imbalance_ = entry
+    (
+        {"imbalance", "imbalance of stresses that wakes a sleeper"}, 0.08, 1
+    );
+    period_ = entry
+    (
+        {"period", "averaging time of the mean, over sqrt(H/g)"}, 0.1, 10
+    );
+    rest_ = entry
+    (
+        {"rest", "what is slower may fall asleep; at most speed"}, 0.002, 0.2
+    );
+    damping_ = dict.getOrDefault
+    (
+        {"damping", "time of the drag on the drowsy, over sqrt(H/g)"}, 0.05,
+        dimless, Range::positive()
+    );
     if (rest_ > speed_)
     {
         std::ostringstream os;

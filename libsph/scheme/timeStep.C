@@ -1,5 +1,6 @@
 #include "scheme/timeStep.H"
 
+#include "runTime/log.H"
 #include "scheme/ImplicitViscosity.H"
 
 #include <cmath>
@@ -17,13 +18,20 @@ TimeStep::TimeStep
     h_(h),
     viscousLimit_
     (
-        solution.getOrDefault("viscousLimit", true)
+        solution.getOrDefault
+        (
+            {"viscousLimit", "steps keep to the viscous limit"}, true
+        )
      && !material.rheology().elastic()
      && !ImplicitViscosity::selected(solution)
     ),
     viscousNumber_
     (
-        solution.getOrDefault("viscousNumber", 0.1, dimless, Range::positive())
+        solution.getOrDefault
+        (
+            {"viscousNumber", "viscous step limit over h^2/nu, Eq. 33"}, 0.1,
+            dimless, Range::positive()
+        )
     )
 {}
 
@@ -65,7 +73,7 @@ void TimeStep::printCourant
         sum += magU;
     }
     const scalar f = deltaT/h_, cP = material_.cP();
-    std::cout << "Courant Number mean: " << f*(cP + sum/std::max(n, 1))
+    stepLog() << "Courant Number mean: " << f*(cP + sum/std::max(n, 1))
         << " max: " << f*(cP + largest) << '\n';
 }
 

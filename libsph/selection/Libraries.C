@@ -12,7 +12,8 @@ void loadLibraries
     const dictionary& controlDict, const std::filesystem::path& caseDir
 )
 {
-    for (const word& name : controlDict.getOrDefault("libs", wordList()))
+    const Key libs("libs", "shared objects with models of your own");
+    for (const word& name : controlDict.getOrDefault(libs, wordList()))
     {
         const bool isPath = name.find('/') != word::npos;
         const std::string file = isPath ? (caseDir/name).string() : name;

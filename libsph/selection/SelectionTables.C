@@ -1,5 +1,7 @@
 #include "selection/Selectable.H"
 
+#include "dictionary/contents.H"
+
 namespace sph
 {
 
@@ -40,10 +42,17 @@ void SelectionTables::checkUnique()
 
 const dictionary& SelectionTables::coefficients
 (
-    const dictionary& dict, const word& family, const word& keyword
+    const dictionary& dict, const word& entry,
+    const word& family, const word& keyword
 )
 {
+    auto& contents = dictionary::Contents::of(dict);
+    contents.note(entry).family = family;
     const word wanted = keyword + "Coeffs";
+    if (contents.fillsIn && entry != "type")
+    {
+        return dict.subOrEmptyDict(wanted);
+    }
     for (const auto& [other, description] : all()[family])
     {
         if (other != keyword && dict.found(other + "Coeffs"))

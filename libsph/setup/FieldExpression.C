@@ -10,12 +10,12 @@ namespace sph
 
 FieldExpression::FieldExpression
 (
-    const dictionary& dict, const word& key,
+    const dictionary& dict, const Key& key,
     std::vector<const dictionary*> around
 )
 :
     dict_(dict),
-    key_(key),
+    key_(key.name),
     around_(std::move(around))
 {
     around_.push_back(&dict);
@@ -33,7 +33,7 @@ FieldExpression::FieldExpression
     {
         dict.fail
         (
-            key, "Entry '" + key + "' must be an expression in quotes, such"
+            key_, "Entry '" + key_ + "' must be an expression in quotes, such"
             " as \"0.5*y\""
         );
     }

@@ -7,22 +7,43 @@ namespace sph
 
 Lattice::Lattice(const dictionary& dict)
 :
-    spacing_(dict.get("spacing", dimLength, Range::positive())),
+    spacing_
+    (
+        dict.get
+        (
+            {"spacing", "distance between particles, dx", "0.01"},
+            dimLength, Range::positive()
+        )
+    ),
     type_
     (
-        dict.getChoiceOrDefault("lattice", "square", {"square", "hexagonal"})
+        dict.getChoiceOrDefault
+        (
+            {"lattice", "how the particles are laid"}, "square",
+            {"square", "hexagonal"}
+        )
     ),
     jitter_
     (
-        dict.getOrDefault("jitter", 0, dimless, Range{0, 0.5, true, false})
+        dict.getOrDefault
+        (
+            {"jitter", "greatest random shift in x and y, over dx"}, 0,
+            dimless, Range{0, 0.5, true, false}
+        )
     ),
-    random_(dict.getOrDefault<label>("seed", 0))
+    random_
+    (
+        dict.getOrDefault<label>({"seed", "random sequence"}, 0)
+    )
 {
-    const vector origin =
-        dict.getVectorOrDefault("origin", vector::Zero(), dimLength);
-    if (dict.found("origin"))
+    const Key origin
+    (
+        "origin", "one lattice for all regions; else each has its own",
+        "(0 0 0)"
+    );
+    if (dict.found(origin))
     {
-        origin_ = origin;
+        origin_ = dict.getVector(origin, dimLength);
     }
 }
 

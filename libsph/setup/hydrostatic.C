@@ -62,7 +62,8 @@ bool setHydrostatic
     const std::vector<RegionParticles>& regions, Particles& particles
 )
 {
-    if (!dict.getOrDefault("hydrostatic", true) || g.norm() == 0)
+    const Key hydrostatic("hydrostatic", "the start has the pressures of rest");
+    if (!dict.getOrDefault(hydrostatic, true) || g.norm() == 0)
     {
         dict.markUsed("surfaceNormal");
         std::cout << "\nDensity rho0 everywhere\n";

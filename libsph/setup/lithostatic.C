@@ -13,7 +13,8 @@ vector readSurfaceNormal(const dictionary& dict, const vector& g)
 {
     const vector up = dict.getVectorOrDefault
     (
-        "surfaceNormal", vector(-g.normalized()), dimless
+        {"surfaceNormal", "out of the surface; else up", "(0 1 0)"},
+        vector(-g.normalized()), dimless
     );
     if (!(up.dot(g) < 0))
     {
@@ -30,13 +31,18 @@ static bool lithostatic(const dictionary& dict)
 {
     return dict.getChoiceOrDefault
     (
-        "stress", "hydrostatic", {"hydrostatic", "lithostatic"}
+        {"stress", "what the material is loaded with at the start"},
+        "hydrostatic", {"hydrostatic", "lithostatic"}
     ) == "lithostatic";
 }
 
 static scalar readK0(const dictionary& dict)
 {
-    return dict.getOrDefault("K0", 1, dimless, Range::between(0, 10));
+    return dict.getOrDefault
+    (
+        {"K0", "horizontal over vertical stress"}, 1,
+        dimless, Range::between(0, 10)
+    );
 }
 
 scalar pressureByStress(const dictionary& dict)

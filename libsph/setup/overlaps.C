@@ -132,7 +132,8 @@ void resolveOverlaps
 {
     const word rule = dict.getChoiceOrDefault
     (
-        "overlap", "error", {"error", "first", "last"}
+        {"overlap", "which region has a place that two claim"},
+        "error", {"error", "first", "last"}
     );
     std::vector<RegionParticles*> byRank;
     for (RegionParticles& region : regions)

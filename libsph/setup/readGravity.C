@@ -6,7 +6,10 @@ namespace sph
 // The factor from the entry dimensions to SI units
 static scalar readUnit(const dictionary& dict)
 {
-    const std::string dimensions = dict.valueText("dimensions");
+    const std::string dimensions = dict.valueText
+    (
+        {"dimensions", "dimensions of an acceleration", "[0 1 -2 0 0 0 0]"}
+    );
     try
     {
         return dictionary::fromString("unit " + dimensions + " 1;").get
@@ -27,7 +30,11 @@ static scalar readUnit(const dictionary& dict)
 
 vector readGravity(const dictionary& dict)
 {
-    const vector g = readUnit(dict)*dict.get<vector>("value");
+    const scalar unit = readUnit(dict);
+    const vector g = unit*dict.get<vector>
+    (
+        {"value", "gravity", "(0 -9.81 0)"}
+    );
     dict.refuseUnused();
     return g;
 }

@@ -63,7 +63,12 @@ std::vector<RegionParticles> fillRegions
 
     std::vector<RegionParticles> regions;
     std::set<word> names;
-    for (const auto& [listed, regionDict] : dict.dictList("regions"))
+    const Key list
+    (
+        "regions", "regions to be filled, each with a name: see region",
+        "(\n    column { type box; min (0 0 0); max (0.1 0.1 0); }\n)"
+    );
+    for (const auto& [listed, regionDict] : dict.dictList(list))
     {
         const word name =
             listed.empty() ? std::to_string(regions.size()) : listed;

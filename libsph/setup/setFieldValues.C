@@ -25,11 +25,14 @@ struct Target
         {
             return false;
         }
-        fields.subDict(field).getChoice("type", {"expression"});
+        fields.subDict(field).getChoice
+        (
+            {"type", "a value that depends on x and y"}, {"expression"}
+        );
         return true;
     }
 
-    FieldExpression expression(const word& field, const word& key) const
+    FieldExpression expression(const word& field, const Key& key) const
     {
         return {fields.subDict(field), key, {&top, &region, &fields}};
     }
@@ -53,12 +56,15 @@ void setU(const Target& target)
     };
     if (!target.isExpression("U"))
     {
-        const vector U = target.fields.getVector("U", dimVelocity);
+        const vector U = target.fields.getVector
+        (
+            {"U", "velocity"}, dimVelocity
+        );
         target.forEach([&](const vector&) { return U; }, set);
         return;
     }
-    FieldExpression x = target.expression("U", "x");
-    FieldExpression y = target.expression("U", "y");
+    FieldExpression x = target.expression("U", {"x", "component in x"});
+    FieldExpression y = target.expression("U", {"y", "component in y"});
     target.forEach([&](const vector& r) { return vector(x(r), y(r)); }, set);
 }
 
@@ -71,11 +77,18 @@ void setRho(const Target& target)
     if (!target.isExpression("rho"))
     {
         const scalar rho =
-            target.fields.get("rho", dimDensity, Range::positive());
+            target.fields.get
+            (
+                {"rho", "density; beats hydrostatic"},
+                dimDensity, Range::positive()
+            );
         target.forEach([&](const vector&) { return rho; }, set);
         return;
     }
-    FieldExpression value = target.expression("rho", "value");
+    FieldExpression value = target.expression
+    (
+        "rho", {"value", "density"}
+    );
     const auto positive = [&](const vector& r)
     {
         const scalar rho = value(r);
@@ -95,7 +108,10 @@ void setRho(const Target& target)
 
 tensor readS(const dictionary& fields)
 {
-    const auto s = fields.get<std::vector<scalar>>("s");
+    const auto s = fields.get<std::vector<scalar>>
+    (
+        {"s", "deviatoric stress xx xy xz yy yz zz [Pa]"}
+    );
     if (s.size() != 6 || s[2] != 0 || s[4] != 0 || s[5] != 0)
     {
         fields.fail
@@ -119,8 +135,14 @@ void setS(const Target& target)
         target.forEach([&](const vector&) { return s; }, set);
         return;
     }
-    FieldExpression xx = target.expression("s", "xx");
-    FieldExpression xy = target.expression("s", "xy");
+    FieldExpression xx = target.expression
+    (
+        "s", {"xx", "deviatoric stress xx = -yy [Pa]"}
+    );
+    FieldExpression xy = target.expression
+    (
+        "s", {"xy", "deviatoric stress xy [Pa]"}
+    );
     const auto deviator = [&](const vector& r)
     {
         const scalar sxx = xx(r), sxy = xy(r);
@@ -163,7 +185,12 @@ void setFieldValues
     for (std::size_t k = 0; k < regions.size(); ++k)
     {
         const dictionary& region = *regions[k].dict;
-        const dictionary& fields = region.subOrEmptyDict("fields");
+        const dictionary& fields = region.subOrEmptyDict
+        ({
+            "fields", "values of its particles, or expressions of x and y",
+            "{ U { type expression; x \"0.1*y\"; y 0; } rho 1600;"
+            " s (0 0 0 0 0 0); }"
+        });
         for (const word& name : fields.toc())
         {
             const auto setter = setters.find(name);

@@ -12,12 +12,19 @@ strainRate::strainRate
 :
     AhSqr_
     (
-        dict.getOrDefault("A", 1, dimless, Range::nonNegative())
+        dict.getOrDefault
+        (
+            {"A", "strength"}, 1, dimless, Range::nonNegative()
+        )
        *kernel.h()*kernel.h()
     ),
     lambdaMin_
     (
-        dict.getOrDefault("lambdaMin", 0.75, dimless, Range::between(0, 1))
+        dict.getOrDefault
+        (
+            {"lambdaMin", "lambda above which particles are shifted"}, 0.75,
+            dimless, Range::between(0, 1)
+        )
     ),
     pairing_(0.2/std::pow(kernel.W(particles.spacing()), 4))
 {}

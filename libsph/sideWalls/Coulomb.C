@@ -29,8 +29,22 @@ class Coulomb : public SideWalls
 public:
     explicit Coulomb(const dictionary& dict)
     :
-        W_(dict.get("W", dimLength, Range::positive())),
-        muWall_(dict.get("muWall", dimless, Range::nonNegative()))
+        W_
+        (
+            dict.get
+            (
+                {"W", "width of the channel", "0.019"},
+                dimLength, Range::positive()
+            )
+        ),
+        muWall_
+        (
+            dict.get
+            (
+                {"muWall", "friction coefficient of the walls", "0.38"},
+                dimless, Range::nonNegative()
+            )
+        )
     {}
 
     void addDrag

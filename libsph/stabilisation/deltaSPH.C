@@ -12,8 +12,11 @@ deltaSPH::deltaSPH
 :
     twoDeltaH_
     (
-        2*dict.getOrDefault("delta", 0.1, dimless, Range::nonNegative())
-       *kernel.h()
+        2*kernel.h()*dict.getOrDefault
+        (
+            {"delta", "strength of the density diffusion"}, 0.1,
+            dimless, Range::nonNegative()
+        )
     ),
     eos_(eos)
 {}

@@ -39,13 +39,27 @@ public:
         eos_(eos),
         twoDeltaH_
         (
-            2*dict.getOrDefault("delta", 0.1, dimless, Range::nonNegative())
-           *kernel.h()
+            2*kernel.h()*dict.getOrDefault
+            (
+                {"delta", "strength of the density diffusion"}, 0.1,
+                dimless, Range::nonNegative()
+            )
         ),
-        beta_(dict.getOrDefault("beta", 0.1, dimless, Range::nonNegative())),
+        beta_
+        (
+            dict.getOrDefault
+            (
+                {"beta", "pace of the return to the summed density"}, 0.1,
+                dimless, Range::nonNegative()
+            )
+        ),
         lambdaMin_
         (
-            dict.getOrDefault("lambdaMin", 0.9, dimless, Range::between(0, 1))
+            dict.getOrDefault
+            (
+                {"lambdaMin", "lambda above which rho returns"}, 0.9,
+                dimless, Range::between(0, 1)
+            )
         ),
         W0_(kernel.W(0))
     {}

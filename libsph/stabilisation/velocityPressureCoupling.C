@@ -47,16 +47,31 @@ public:
         const Kernel& kernel
     )
     :
-        sigma_(dict.getOrDefault("sigma", 1, dimless, Range::nonNegative())),
+        sigma_
+        (
+            dict.getOrDefault
+            (
+                {"sigma", "strength of the coupling, Eq. 32"}, 1,
+                dimless, Range::nonNegative()
+            )
+        ),
         acoustic_
         (
-            dict.getChoiceOrDefault("timeScale", "step", {"step", "acoustic"})
+            dict.getChoiceOrDefault
+            (
+                {"timeScale", "its time: the step, or Co h/c"}, "step",
+                {"step", "acoustic"}
+            )
          == "acoustic"
         ),
         CoH_
         (
             acoustic_
-          ? kernel.h()*dict.getOrDefault("Co", 0.2, dimless, Range::positive())
+          ? kernel.h()*dict.getOrDefault
+            (
+                {"Co", "Courant number of that time"}, 0.2,
+                dimless, Range::positive()
+            )
           : 0
         ),
         eos_(eos)

@@ -32,7 +32,11 @@ public:
         (
             std::pow
             (
-                dx*dict.getOrDefault("Cs", 0.2, dimless, Range::nonNegative()),
+                dx*dict.getOrDefault
+                (
+                    {"Cs", "Smagorinsky's constant, Eq. 4"}, 0.2,
+                    dimless, Range::nonNegative()
+                ),
                 2
             )
         )

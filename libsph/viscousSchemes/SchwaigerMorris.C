@@ -28,6 +28,7 @@ public:
     {}
 
     bool conservesMomentum() const override { return false; }
+    bool needsExactGradU() const override { return true; }
 
     static constexpr auto reads = fields(of::V, of::U, of::eta);
 

@@ -44,6 +44,20 @@ TEST(commands, listModelsPrintsEveryFamily)
     }
 }
 
+TEST(commands, listFunctionObjectsPrintsThoseOfTheCase)
+{
+    const AppCase where;
+    where.replace
+    (
+        "system/controlDict", "functions\n\\{",
+        "functions\n{ bottom { type fieldMinMax; fields (p); }"
+    );
+    const std::string text =
+        where.succeed("granularFoamSPH -listFunctionObjects").text;
+    EXPECT_CONTAINS(text, "functionObject\n    energies  ");
+    EXPECT_CONTAINS(text, "functions of system/controlDict\n    bottom  ");
+}
+
 TEST(commands, helpNamesTheOptions)
 {
     const AppCase where;

@@ -110,6 +110,30 @@ TEST(postProcess, selectsTimesAndObjects)
 }
 
 
+TEST(postProcess, executesSeveralByName)
+{
+    const Written where;
+    const std::string post = "-postProcess -noZero ";
+    where.succeed
+    (
+        "granularFoamSPH " + post + "-funcs '(energies surfaceLine)'"
+    );
+    EXPECT_EQ(rows(where, "energies/0.01/energies.dat").size(), 2u);
+    EXPECT_TRUE(where.has("postProcessing/surfaceLine/0.01/surface_0.02.dat"));
+    EXPECT_FALSE(where.has("postProcessing/runout/0.01"));
+
+    where.succeed("granularFoamSPH " + post + "-func runout -funcs '(energies)'");
+    EXPECT_EQ(rows(where, "runout/0.01/runout.dat").size(), 2u);
+    EXPECT_EQ(rows(where, "energies/0.01_1/energies.dat").size(), 2u);
+
+    where.fails(post + "-funcs '(energies energies)'", "is named twice");
+    where.fails(post + "-funcs '(energies momentum)'", "momentum");
+    where.fails(post + "-funcs '()'", "names no function object");
+    where.fails(post + "-funcs energies", "a list in parentheses");
+    where.fails("-funcs '(energies)'", "goes with -postProcess");
+}
+
+
 TEST(postProcess, saysWhatIsInNoFile)
 {
     const Written where;

@@ -149,7 +149,7 @@ TEST(sets, refuseLinesThatAreNone)
     };
     EXPECT_CONTAINS
     (
-        error("start (0 0 0); end (0 1 0); nPoints 1;"), "at least two"
+        error("start (0 0 0); end (0 1 0); nPoints 1;"), "must be at least 2"
     );
     EXPECT_CONTAINS
     (

@@ -114,6 +114,24 @@ TEST(geometrySurface, isTheSameAsPointsTyped)
     }
 }
 
+TEST(geometrySurface, needsThePointsOfItsCells)
+{
+    const GeometryCase where;
+    const auto triangles = extruded(ramp);
+    std::string text = vtp(triangles);
+    const auto end = text.find(" </DataArray>", text.find("connectivity"));
+    const auto last = text.rfind(' ', end - 1) + 1;
+    for (const char* id : {"99999", "-7"})
+    {
+        std::string broken = text;
+        where.geometry("ramp.vtp", broken.replace(last, end - last, id));
+        EXPECT_CONTAINS
+        (
+            where.error("ramp.vtp"), "A cell has points that are not there"
+        );
+    }
+}
+
 // Solids of several parts, as OpenFOAM's users have them
 TEST(geometrySurface, mayBeOfSeveralSolids)
 {

@@ -62,6 +62,23 @@ TEST_F(Stopping, stopAtNoWriteNowDoesNotWrite)
     EXPECT_FALSE(outcome.wrote);
 }
 
+// What a terminal takes for the end of the run
+TEST_F(Stopping, stopTimeFollowsStopAt)
+{
+    const scalar none = std::numeric_limits<scalar>::infinity();
+    const std::vector<std::pair<std::string, scalar>> ends
+    {
+        {"stopAt endTime;", 1000}, {"stopAt writeNow;", 0},
+        {"stopAt nextWrite;", none},
+        {"stopAt nextWrite; writeControl runTime; writeInterval 0.25;", 0.25}
+    };
+    for (const auto& [entries, end] : ends)
+    {
+        testCase.controlDict(controls(entries));
+        EXPECT_EQ(Time(testCase.dir()).stopTime(), end) << entries;
+    }
+}
+
 TEST_F(Stopping, stopAtNextWriteGoesOnUntilThen)
 {
     testCase.controlDict(controls("stopAt nextWrite; writeInterval 4;"));

@@ -100,6 +100,32 @@ TEST_F(velocityPressureCoupling, leavesALinearPressureAsItIs)
     EXPECT_GT(checked, 0);
 }
 
+// Eq. 17 subtracts what the compact Laplacian of a linear field has at a
+// surface, of the order of slope/dx. In order, no gradient needs its guard.
+TEST_F(velocityPressureCoupling, leavesALinearPressureAsItIsAtASurface)
+{
+    place(P, squareLattice({1, 1}, 12, 12, dx), rho0);
+    const scalar slope = 1e-3*rho0;
+    setDensity
+    (
+        [&](const vector& r) { return rho0*1.1 - slope*(r.y() - 1); }
+    );
+    calcGradients(P, *kernel, "kernelGradient;");
+    const scalar deltaT = 0.2*kernel->h()/eos->c();
+    apply("velocityPressureCoupling; sigma 1;", deltaT);
+    label surface = 0;
+    for (label i = 0; i < P.granular().end; ++i)
+    {
+        EXPECT_LT
+        (
+            std::abs(P.rhoDot[i]),
+            0.005*deltaT*eos->c()*eos->c()*slope/dx
+        );
+        surface += P.lambda[i] < 0.8;
+    }
+    EXPECT_GT(surface, 30);
+}
+
 TEST_F(velocityPressureCoupling, fadesWithTheStepAndWithoutPressure)
 {
     setDensity

@@ -111,6 +111,36 @@ TEST_F(viscousSchemes, ClearyIsNearItsLimitOnALattice)
     }
 }
 
+// u = y + y^2/2, eta = eta0 exp(y/2): eta u'' + eta' u' = 3/2 eta0 at y = 0,
+// and Cleary's share of it
+TEST_F(viscousSchemes, feelTheGradientOfTheViscosity)
+{
+    const scalar hByDx[] = {1.3, 1.5, 2.0}, share[] = {0.87, 0.95, 0.97};
+    const label n = 13, middle = n*n/2;
+    for (label k = 0; k < 3; ++k)
+    {
+        for (const char* scheme : {"Morris;", "Cleary;"})
+        {
+            lay(squareLattice({-0.5*n*dx, -0.5*n*dx}, n, n, dx));
+            const scalar y0 = P.r[middle].y();
+            setVelocity([&](const vector& r)
+            {
+                const scalar y = r.y() - y0;
+                return vector(y + 0.5*y*y, 0);
+            });
+            for (label i = 0; i < n*n; ++i)
+            {
+                P.eta[i] = eta0*std::exp(0.5*(P.r[i].y() - y0));
+            }
+            apply(scheme, hByDx[k]);
+            const scalar expected =
+                scheme[0] == 'M' ? 1.5 : 1.5*share[k];
+            EXPECT_NEAR(P.a[middle].x()*rho0/eta0, expected, 0.03)
+                << scheme << hByDx[k];
+        }
+    }
+}
+
 TEST_F(viscousSchemes, sineDecaysInProportion)
 {
     const scalar k = 2*pi/(13*dx*2);

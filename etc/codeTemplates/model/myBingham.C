@@ -31,12 +31,34 @@ class myBingham : public GeneralisedNewtonian
     }
 
 public:
-    // Each entry with its dimensions and range; errors name file and line
+    // Each entry with its meaning and a sample for -listEntries, dimensions and
+    // range; errors name file and line
     myBingham(const dictionary& dict, const EquationOfState&)
     :
-        eta0_(dict.get("eta0", dimDynamicViscosity, Range::nonNegative())),
-        tau0_(dict.get("tau0", dimPressure, Range::nonNegative())),
-        gammaDotR_(dict.get("gammaDotR", dimRate, Range::positive()))
+        eta0_
+        (
+            dict.get
+            (
+                {"eta0", "plastic viscosity", "0.1"},
+                dimDynamicViscosity, Range::nonNegative()
+            )
+        ),
+        tau0_
+        (
+            dict.get
+            (
+                {"tau0", "yield stress", "20"},
+                dimPressure, Range::nonNegative()
+            )
+        ),
+        gammaDotR_
+        (
+            dict.get
+            (
+                {"gammaDotR", "rate below which it is a stiff fluid", "1"},
+                dimRate, Range::positive()
+            )
+        )
     {}
 
     void correct
