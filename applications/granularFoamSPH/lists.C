@@ -44,7 +44,7 @@ static void listFunctions(const fs::path& controlDict)
     for (const word& name : functions.toc())
     {
         std::cout
-            << "    " << std::left << std::setw(26) << name
+            << "    " << std::left << std::setw(34) << name
             << functions.subDict(name).getOrDefault<word>("type", "") << '\n';
     }
     std::cout << '\n';

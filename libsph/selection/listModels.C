@@ -22,7 +22,7 @@ void listModels(std::ostream& os, const std::string& family)
     os << family << '\n';
     for (const auto& [keyword, description] : SelectionTables::all()[family])
     {
-        os << "    " << std::left << std::setw(26) << keyword
+        os << "    " << std::left << std::setw(34) << keyword
             << description << '\n';
     }
     os << '\n';
