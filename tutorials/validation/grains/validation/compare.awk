@@ -157,19 +157,22 @@ END {
     {
         t = list[i]
         goal = a == 0.5 ? (t < 6 ? 0.025 : 0.016) : (t < 6 ? "" : 0.006)
-        from = sprintf("grains (scatter %.4f", \
+        from = sprintf("grains (scatter %.4f)", \
             difference("left" t, "grains" t))
-        if (a == 0.5 && t < 6)
-        {
-            from = from sprintf("; Basilisk %.4f", \
-                difference("basilisk" t, "grains" t))
-        }
         measured = difference("run" t, "grains" t)
         quantity = "RMS of the surface at " t " tc [H0]"
         if (goal == "")
-            row(quantity, measured, "-", "-", "-", "-", from ")")
+            row(quantity, measured, "-", "-", "-", "-", from)
         else
-            atMost(quantity, measured, goal, from ")")
+            atMost(quantity, measured, goal, from)
+        if (a == 0.5 && t < 6)
+        {
+            row("RMS from Basilisk at " t " tc [H0]", \
+                difference("run" t, "basilisk" t), "-", "-", "-", "-", \
+                "continuum mu(I) by others")
+            row("RMS of Basilisk at " t " tc [H0]", \
+                difference("basilisk" t, "grains" t), "-", "-", "-", "-", from)
+        }
     }
     t = list[m]
     within("front, 1.5 d thick, at 6 tc [H0]", front("run" t, 1.5*d), \
