@@ -1,6 +1,6 @@
 #include "io/VtkParser.H"
 
-#include <array>
+#include <algorithm>
 #include <cstring>
 #include <vtkInputStream.h>
 #include <vtkObjectFactory.h>
@@ -51,8 +51,25 @@ bool VtkParser::seek(vtkXMLDataElement* array)
     return true;
 }
 
+std::vector<std::uint64_t> VtkParser::readWords(const std::size_t count)
+{
+    const std::size_t wordSize = HeaderType/8;
+    std::vector<unsigned char> bytes(count*wordSize);
+    if (DataStream->Read(bytes.data(), bytes.size()) != bytes.size())
+    {
+        return {};
+    }
+    PerformByteSwap(bytes.data(), count, wordSize);
+    std::vector<std::uint64_t> words(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        std::memcpy(&words[i], bytes.data() + i*wordSize, wordSize);
+    }
+    return words;
+}
+
 // The head: number of blocks, bytes in each, and in the last one if that is
-// shorter; then the sizes of all
+// shorter; then the sizes of all, compressed
 bool VtkParser::holds(vtkXMLDataElement* array, const std::uint64_t bytes)
 {
     if (!Compressor || !seek(array))
@@ -60,33 +77,31 @@ bool VtkParser::holds(vtkXMLDataElement* array, const std::uint64_t bytes)
         return true;
     }
     constexpr std::uint64_t most = std::uint64_t(1) << 40;
-    const std::size_t wordSize = HeaderType/8;
-    std::array<unsigned char, 24> head{};
     DataStream->StartReading();
-    const std::size_t size = DataStream->Read(head.data(), 3*wordSize);
+    const auto head = readWords(3);
+    const std::uint64_t blocks = head.empty() ? 0 : head[0];
+    const bool stands = blocks <= fileSize_/(HeaderType/8);
+    const auto sizes =
+        stands ? readWords(blocks) : std::vector<std::uint64_t>();
     DataStream->EndReading();
-    if (size != 3*wordSize)
+    if (head.empty() || sizes.size() != blocks)
     {
         return false;
     }
-    PerformByteSwap(head.data(), 3, wordSize);
-    std::array<std::uint64_t, 3> words{};
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-        std::memcpy(&words[i], head.data() + i*wordSize, wordSize);
-    }
-    const auto [blocks, blockSize, lastSize] = words;
     if (blocks == 0)
     {
         return bytes == 0;
     }
     // None empty, and none longer than what is asked for
+    const std::uint64_t blockSize = head[1], lastSize = head[2];
     if (blockSize == 0 || blockSize > most || lastSize > blockSize)
     {
         return false;
     }
     const std::uint64_t shorter = lastSize > 0 ? blockSize - lastSize : 0;
-    return blocks <= bytes && blocks*blockSize - shorter == bytes;
+    return
+        blocks <= bytes && blocks*blockSize - shorter == bytes
+     && *std::max_element(sizes.begin(), sizes.end()) <= fileSize_;
 }
 
 } // namespace sph

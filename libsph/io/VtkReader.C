@@ -150,7 +150,9 @@ int VtkReader::ReadVTKFile(vtkXMLDataElement* root)
 
     // A value takes a byte at least, a thousandth of one if compressed
     std::error_code ignored;
-    const double size = double(std::filesystem::file_size(FileName, ignored));
+    const auto bytes = std::filesystem::file_size(FileName, ignored);
+    static_cast<VtkParser*>(XMLParser)->setFileSize(bytes);
+    const double size = double(bytes);
     const double most = size*(root->GetAttribute("compressor") ? 1100 : 1);
     if (valuesBelow(*root, 0, error) > most && error.empty())
     {

@@ -123,7 +123,10 @@ static void writeRows
         {
             lists[lane].resize(size);
         }
-        std::fill(&lists[lane][n[lane]], lists[lane].data() + size, null);
+        std::fill
+        (
+            lists[lane].data() + n[lane], lists[lane].data() + size, null
+        );
     }
     for (label k = 0; k < nMax; k += laneCount)
     {
