@@ -32,10 +32,10 @@ plot of('shear', 'muI+Morris', 'U') with linespoints title 'plane shear: muI, Mo
     of('channel', 'Morris', 'U') with linespoints title 'channel: Morris', \
     of('channel', 'elastic', 'U') with linespoints title 'channel: elastic law', \
     of('creep', 'Morris', 'U') with linespoints title 'creep: Morris', \
-    of('vortex', 'Morris+Wendland', 'rate') with linespoints title 'vortices: decay, Morris, Wendland', \
+    of('vortex', 'jitter', 'rate') with linespoints title 'vortices: decay, jitter', \
     of('wave', 'mirror', 'frequency') with linespoints title 'wave: frequency, mirror', \
     of('wave', 'mirror+Wendland', 'frequency') with linespoints title 'the same, Wendland', \
     of('wave', 'mirror', 'rate') with linespoints title 'wave: decay, mirror', \
-    of('patch', 'Wendland', 'p at') with linespoints title 'patch: p, Wendland', \
+    of('chute', 'soft', 'U at 0.05') with linespoints title 'chute at 0.05 s: soft', \
     20/x with lines dt 2 lc 'gray' title '20 %/n'
 unset multiplot
