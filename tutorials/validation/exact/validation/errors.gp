@@ -1,6 +1,6 @@
 # Errors against the spacing: the constants as they are, and the choices that
 # change most
-set terminal pngcairo size 1000,460
+set terminal pngcairo size 1300,440
 set output 'errors.png'
 set datafile separator tab
 set multiplot layout 1,2
@@ -10,7 +10,7 @@ set ylabel 'error [%]'
 set xrange [8:100]
 set yrange [0.02:300]
 set xtics (10, 20, 40, 80)
-set key bottom left samplen 1 font ',8'
+set key outside right top samplen 1 font ',9'
 of(scene, variant, quantity) = sprintf( \
     "< awk -F'\t' '$1 == \"%s\" && $2 == \"%s\" && index($4, \"%s\") == 1 && $5 != \"-\" { print $3 FS ($5 < 0 ? -$5 : $5) }' errors.tsv", \
     scene, variant, quantity)
