@@ -1,5 +1,5 @@
 # How far starts, spacing and constants move the numbers, in their bands
-set terminal pngcairo size 1100,800
+set terminal pngcairo size 1300,800
 set output 'changes.png'
 set multiplot layout 2,2
 set style data histograms
@@ -7,7 +7,7 @@ set style histogram clustered gap 2
 set style fill solid 0.8 border -1
 set xtics rotate by -35 font ',9'
 set ylabel 'largest change / band'
-set key top right font ',9'
+set key outside right top font ',9'
 set yrange [0:*]
 stats 'changes.dat' using 0 nooutput
 do for [k = 0:STATS_blocks - 1] {
