@@ -2,8 +2,11 @@
 #include "applications/AppCase.H"
 
 #include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
 #include <poll.h>
 #include <pty.h>
+#include <unistd.h>
 
 using namespace sph;
 
@@ -15,6 +18,7 @@ class Terminal
 {
     ::pid_t pid_;
     int master_ = -1;
+    bool ended_ = false;
 
 public:
     std::string text;
@@ -23,6 +27,10 @@ public:
     {
         winsize size{25, columns, 0, 0};
         pid_ = ::forkpty(&master_, nullptr, nullptr, &size);
+        if (pid_ < 0)
+        {
+            throw std::runtime_error("cannot fork");    // -1 is everybody
+        }
         if (pid_ == 0)
         {
             const std::string app = SPH_BIN_DIR "/granularFoamSPH";
@@ -38,8 +46,11 @@ public:
 
     ~Terminal()
     {
-        ::kill(pid_, SIGKILL);
-        ::waitpid(pid_, nullptr, 0);
+        if (!ended_)
+        {
+            ::kill(pid_, SIGKILL);
+            ::waitpid(pid_, nullptr, 0);
+        }
         ::close(master_);
     }
 
@@ -73,6 +84,7 @@ public:
         waitFor("there is no such text");
         int status = 0;
         ::waitpid(pid_, &status, 0);
+        ended_ = true;
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 
@@ -108,9 +120,26 @@ public:
     }
 };
 
+// There may be no pseudo-terminals, as in a chroot without /dev/pts
+struct progress : testing::Test
+{
+    void SetUp() override
+    {
+        const int master = ::posix_openpt(O_RDWR | O_NOCTTY);
+        const char* name = master < 0 || ::grantpt(master) != 0
+         || ::unlockpt(master) != 0 ? nullptr : ::ptsname(master);
+        const bool there = name && ::access(name, R_OK | W_OK) == 0;
+        ::close(master);
+        if (!there)
+        {
+            GTEST_SKIP() << "No pseudo-terminals here";
+        }
+    }
+};
+
 } // namespace
 
-TEST(progress, aTerminalGetsOneLine)
+TEST_F(progress, aTerminalGetsOneLine)
 {
     const AppCase where;
     where.succeed("setParticles");
@@ -126,7 +155,7 @@ TEST(progress, aTerminalGetsOneLine)
     }
 }
 
-TEST(progress, itIsUpdatedInPlaceAndEndsCleanlyAtCtrlC)
+TEST_F(progress, itIsUpdatedInPlaceAndEndsCleanlyAtCtrlC)
 {
     const AppCase where;
     where.set("system/controlDict", "endTime", "1000");
@@ -147,7 +176,7 @@ TEST(progress, itIsUpdatedInPlaceAndEndsCleanlyAtCtrlC)
     EXPECT_EQ(screen.find(" of 1000 s", first + 1), std::string::npos);
 }
 
-TEST(progress, itFitsANarrowTerminal)
+TEST_F(progress, itFitsANarrowTerminal)
 {
     const AppCase where;
     where.succeed("setParticles");
@@ -156,7 +185,7 @@ TEST(progress, itFitsANarrowTerminal)
     EXPECT_CONTAINS(terminal.screen(), "\n100 %  Time = 0.02 \n");
 }
 
-TEST(progress, whatHasNoEndShowsNoShare)
+TEST_F(progress, whatHasNoEndShowsNoShare)
 {
     const AppCase where;
     where.set("system/controlDict", "stopAt", "nextWrite");
@@ -171,7 +200,7 @@ TEST(progress, whatHasNoEndShowsNoShare)
     EXPECT_FALSE(contains(screen, " %  Time"));
 }
 
-TEST(progress, aPipeGetsPlainLines)
+TEST_F(progress, aPipeGetsPlainLines)
 {
     const AppCase where;
     where.succeed("setParticles");
