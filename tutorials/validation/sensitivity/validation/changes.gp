@@ -12,7 +12,9 @@ set yrange [0:*]
 stats 'changes.dat' using 0 nooutput
 do for [k = 0:STATS_blocks - 1] {
     scene = system(sprintf("awk -v k=%d 'BEGIN { RS = \"\\n\\n\\n\"; FS = \"\\\"\" } NR == k + 1 { print $2 }' changes.dat", k))
-    columns = int(system(sprintf("awk -v k=%d 'BEGIN { RS = \"\\n\\n\\n\"; FS = \"\\n\" } NR == k + 1 { n = split($2, c, \" \"); print n }' changes.dat", k)))
+    count = system(sprintf("awk -v k=%d 'BEGIN { RS = \"\\n\\n\\n\"; FS = \"\\n\" } NR == k + 1 { n = split($2, c, \" \"); print n }' changes.dat", k))
+    if (strlen(count) == 0) { continue }
+    columns = int(count)
     set title scene
     plot for [c = 2:columns] 'changes.dat' index k \
             using c:xtic(1) title columnheader(c), \
