@@ -2,7 +2,7 @@
 set terminal pngcairo size 900,420
 set output 'fronts.png'
 set multiplot layout 1,2
-set key top left
+set key bottom right
 set xlabel 'T = t (2g/a)^{1/2}'
 set ylabel 'Z = x/a'
 a = 0.05715
