@@ -9,12 +9,13 @@ set xtics rotate by -35 font ',9'
 set ylabel 'largest change / band'
 set key outside right top font ',9'
 set yrange [0:*]
-stats 'changes.dat' using 0 nooutput
-do for [k = 0:STATS_blocks - 1] {
-    scene = system(sprintf("awk -v k=%d 'BEGIN { RS = \"\\n\\n\\n\"; FS = \"\\\"\" } NR == k + 1 { print $2 }' changes.dat", k))
-    count = system(sprintf("awk -v k=%d 'BEGIN { RS = \"\\n\\n\\n\"; FS = \"\\n\" } NR == k + 1 { n = split($2, c, \" \"); print n }' changes.dat", k))
-    if (strlen(count) == 0) { continue }
-    columns = int(count)
+set datafile missing '-'
+
+# A block a scene, its name and quantities in the first line
+block(k, what) = system(sprintf("awk -F'\"' '/^\"/ && n++ == %d { print %s }' changes.dat", k, what))
+do for [k = 0:int(system("grep -c '^\"' changes.dat")) - 1] {
+    scene = block(k, '$2')
+    columns = int(block(k, '(NF - 1)/2'))
     set title scene
     plot for [c = 2:columns] 'changes.dat' index k \
             using c:xtic(1) title columnheader(c), \

@@ -107,7 +107,7 @@ END {
             sprintf("mean %.4f", mean))
         row(q, "square lattice", order, verdict(q, order), \
             sprintf("%+.1f scatters", order/scatter))
-        hexagonal = 0
+        hexagonal = "none"
         if ((q, "lattice", 0, 0) in number)
         {
             hexagonal = number[q, "lattice", 0, 0] - mean
@@ -116,10 +116,10 @@ END {
         }
         cells = sprintf("| %s | %.4f | %.4f | %.4f | %.4f | %s | %s", short(q), \
             number[q, "base", 1, 0], mean, scatter, band[q], cell(q, order), \
-            cell(q, hexagonal))
+            hexagonal == "none" ? "-" : cell(q, hexagonal))
         bar[-2, i] = scatter/band[q]
         bar[-1, i] = abs(order)/band[q]
-        bar[0, i] = abs(hexagonal)/band[q]
+        bar[0, i] = hexagonal == "none" ? "-" : abs(hexagonal)/band[q]
         for (k = 1; k <= entries; k++)
         {
             n = split(values[name[k]], list, " ")
