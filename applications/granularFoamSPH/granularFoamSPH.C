@@ -3,6 +3,7 @@
 // One step, after Salehizadeh & Shafiei, Granular Matter 21:32 (2019), whose
 // equation numbers stand at the calls.
 
+#include "advise.H"
 #include "estimate.H"
 #include "lists.H"
 #include "postProcess.H"
@@ -71,7 +72,8 @@ int main(int argc, char* argv[])
                 "dry-run", "",
                 "check the case, print settings and estimates, and exit"
             },
-            {"noFunctionObjects", "", "do not execute function objects"}
+            {"noFunctionObjects", "", "do not execute function objects"},
+            adviseOption()
         };
         for (const auto& more : {listOptions(), postProcessOptions()})
         {
@@ -87,6 +89,12 @@ int main(int argc, char* argv[])
         }
         const bool onlyPostProcess = postProcessing(args);
         args.printBanner();
+        if (args.found("advise"))
+        {
+            advise(args);
+            std::cout << "\nEnd\n" << std::endl;
+            return 0;
+        }
         if (onlyPostProcess)
         {
             postProcess(args);

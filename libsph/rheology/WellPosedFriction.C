@@ -1,7 +1,5 @@
 #include "rheology/WellPosedFriction.H"
 
-#include "rheology/muIFriction.H"
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,21 +7,18 @@ namespace sph
 {
 
 // Where C of mu(I) changes its sign from + to -, going up; 0 if nowhere
-static scalar lowerBound
-(
-    const scalar mus, const scalar mu2, const scalar I0
-)
+static scalar lowerBound(const muIFriction& law)
 {
-    const auto C = [=](const scalar I)
+    const auto C = [&](const scalar I)
     {
-        return muIFriction(mus, mu2, I0, I).C();
+        return law(I).C();
     };
     constexpr scalar factor = 1.02;
-    scalar high = 1e-8*I0;
+    scalar high = 1e-8*law.I0;
     while (C(high) > 0)
     {
         high *= factor;
-        if (high > 1e3*I0)
+        if (high > 1e3*law.I0)
         {
             return 0;
         }
@@ -39,30 +34,7 @@ static scalar lowerBound
 
 WellPosedFriction::WellPosedFriction(const dictionary& dict)
 :
-    mus_
-    (
-        dict.get
-        (
-            {"mus", "friction coefficient of slow flow", "0.3819"},
-            dimless, Range::positive()
-        )
-    ),
-    mu2_
-    (
-        dict.get
-        (
-            {"mu2", "friction coefficient of fast flow", "0.6435"},
-            dimless, Range::positive()
-        )
-    ),
-    I0_
-    (
-        dict.get
-        (
-            {"I0", "inertial number halfway between", "0.279"},
-            dimless, Range::positive()
-        )
-    ),
+    law_(dict, Range::positive()),
     muInf_
     (
         dict.getOrDefault
@@ -80,11 +52,7 @@ WellPosedFriction::WellPosedFriction(const dictionary& dict)
         )
     )
 {
-    if (mu2_ < mus_)
-    {
-        dict.fail("mu2", "mu2 must be at least mus");
-    }
-    I1_ = lowerBound(mus_, mu2_, I0_);
+    I1_ = lowerBound(law_);
     if (I1_ == 0)
     {
         dict.fail
@@ -99,7 +67,7 @@ WellPosedFriction::WellPosedFriction(const dictionary& dict)
 
 scalar WellPosedFriction::above(const scalar I) const
 {
-    return (mus_*I0_ + (mu2_ + muInf_*I)*I)/(I0_ + I);
+    return (law_.mus*law_.I0 + (law_.mu2 + muInf_*I)*I)/(law_.I0 + I);
 }
 
 scalar WellPosedFriction::mu(const scalar I) const
@@ -118,7 +86,8 @@ Friction WellPosedFriction::friction(const scalar I) const
         return {mu, mu*mu/(2*alpha_)};
     }
     const scalar slope =
-        ((mu2_ - mus_)*I0_ + muInf_*I*(2*I0_ + I))/((I0_ + I)*(I0_ + I));
+        ((law_.mu2 - law_.mus)*law_.I0 + muInf_*I*(2*law_.I0 + I))
+       /((law_.I0 + I)*(law_.I0 + I));
     return {mu, I*slope/mu};
 }
 
@@ -130,7 +99,8 @@ scalar WellPosedFriction::solve
     if (tau > a*I1_ + P*mu1_)
     {
         // (a + P muInf) I^2 + B I = C
-        const scalar B = a*I0_ + P*mu2_ - tau, C = (tau - P*mus_)*I0_;
+        const scalar B = a*law_.I0 + P*law_.mu2 - tau;
+        const scalar C = (tau - P*law_.mus)*law_.I0;
         const scalar root = std::sqrt(B*B + 4*(a + P*muInf_)*C);
         return above(B > 0 ? 2*C/(B + root) : (root - B)/(2*(a + P*muInf_)));
     }

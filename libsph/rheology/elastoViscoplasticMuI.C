@@ -31,55 +31,28 @@ namespace
 
 class elastoViscoplasticMuI : public ElastoViscoplastic
 {
-    const scalar mus_, mu2_, I0_;
+    const muIFriction law_;
 
 public:
     elastoViscoplasticMuI(const dictionary& dict, const EquationOfState& eos)
     :
         ElastoViscoplastic(dict, eos),
-        mus_
-        (
-            dict.get
-            (
-                {"mus", "friction coefficient of slow flow", "0.3819"},
-                dimless, Range::nonNegative()
-            )
-        ),
-        mu2_
-        (
-            dict.get
-            (
-                {"mu2", "friction coefficient of fast flow", "0.6435"},
-                dimless, Range::nonNegative()
-            )
-        ),
-        I0_
-        (
-            dict.get
-            (
-                {"I0", "inertial number between slow and fast", "0.279"},
-                dimless, Range::positive()
-            )
-        )
-    {
-        if (mu2_ < mus_)
-        {
-            dict.fail("mu2", "mu2 must be at least mus");
-        }
-    }
+        law_(dict)
+    {}
 
     void correct
     (
         Particles& particles, const ParticleRange& range, const scalar deltaT
     ) const override
     {
-        const scalar AbySqrtP = G()*deltaT*I0_/(d()*std::sqrt(rhos()));
+        const scalar AbySqrtP =
+            G()*deltaT*law_.I0/(d()*std::sqrt(rhos()));
         integrate
         (
             particles, range, deltaT,
             [=](const lanes& tauTrial, const lanes& P)
             {
-                const lanes S0 = mus_*P, S2 = mu2_*P;
+                const lanes S0 = law_.mus*P, S2 = law_.mu2*P;
                 const lanes A = AbySqrtP*sqrt(P);
                 const lanes B = S2 + tauTrial + A;
                 const lanes C = tauTrial*S2 + A*S0;
@@ -92,7 +65,7 @@ public:
 
     std::optional<Friction> friction(const scalar I) const override
     {
-        return muIFriction(mus_, mu2_, I0_, I);
+        return law_(I);
     }
 };
 

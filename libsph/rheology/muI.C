@@ -28,6 +28,7 @@
 //     }
 
 #include "rheology/GeneralisedNewtonian.H"
+#include "rheology/Grains.H"
 #include "rheology/muIFriction.H"
 
 #include <cmath>
@@ -39,7 +40,8 @@ namespace
 
 class muI : public GeneralisedNewtonian
 {
-    const scalar mus_, mu2_, I0_, d_, rhos_;
+    const muIFriction law_;
+    const Grains grains_;
     const bool cap_;
     const scalar etaMax_;
     const scalar alphar_, alphas_;
@@ -48,46 +50,8 @@ class muI : public GeneralisedNewtonian
 public:
     muI(const dictionary& dict, const EquationOfState&)
     :
-        mus_
-        (
-            dict.get
-            (
-                {"mus", "friction coefficient of slow flow", "0.3819"},
-                dimless, Range::nonNegative()
-            )
-        ),
-        mu2_
-        (
-            dict.get
-            (
-                {"mu2", "friction coefficient of fast flow", "0.6435"},
-                dimless, Range::nonNegative()
-            )
-        ),
-        I0_
-        (
-            dict.get
-            (
-                {"I0", "inertial number between slow and fast", "0.279"},
-                dimless, Range::positive()
-            )
-        ),
-        d_
-        (
-            dict.get
-            (
-                {"d", "diameter of a grain", "5e-4"},
-                dimLength, Range::positive()
-            )
-        ),
-        rhos_
-        (
-            dict.get
-            (
-                {"rhos", "density of a grain", "2500"},
-                dimDensity, Range::positive()
-            )
-        ),
+        law_(dict),
+        grains_(dict),
         cap_
         (
             dict.getChoice
@@ -125,13 +89,8 @@ public:
                 1e-6, dimRate, Range::nonNegative()
             )
         ),
-        xi_(I0_/(d_*std::sqrt(rhos_)))
-    {
-        if (mu2_ < mus_)
-        {
-            dict.fail("mu2", "mu2 must be at least mus");
-        }
-    }
+        xi_(law_.I0/(grains_.d*std::sqrt(grains_.rhos)))
+    {}
 
     void correct
     (
@@ -146,23 +105,24 @@ public:
                 P == 0 ? 0
               : cap_ ? cappedViscosity(P, gammaDot)
               : PapanastasiouViscosity(P, gammaDot);
-            particles.I[i] = P == 0 ? 0 : d_*gammaDot/std::sqrt(P/rhos_);
+            particles.I[i] =
+                P == 0 ? 0 : grains_.d*gammaDot/std::sqrt(P/grains_.rhos);
             setStress(particles, i);
         }
     }
 
     std::optional<Friction> friction(const scalar I) const override
     {
-        return muIFriction(mus_, mu2_, I0_, I);
+        return law_(I);
     }
 
 private:
     // (38), at most etaMax
     scalar cappedViscosity(const scalar P, const scalar gammaDot) const
     {
-        const scalar yield = mus_*P;
+        const scalar yield = law_.mus*P;
         const scalar flow =
-            (mu2_ - mus_)*P/(gammaDot + xi_*std::sqrt(P));
+            (law_.mu2 - law_.mus)*P/(gammaDot + xi_*std::sqrt(P));
         return
             yield + flow*gammaDot >= etaMax_*gammaDot
           ? etaMax_ : yield/gammaDot + flow;
@@ -173,8 +133,9 @@ private:
     {
         const scalar x = gammaDot/alphar_;
         const scalar yield =
-            mus_*P/alphar_*(x > 1e-8 ? -std::expm1(-x)/x : 1);
-        const scalar flow = (mu2_ - mus_)*P/(xi_*std::sqrt(P) + gammaDot);
+            law_.mus*P/alphar_*(x > 1e-8 ? -std::expm1(-x)/x : 1);
+        const scalar flow =
+            (law_.mu2 - law_.mus)*P/(xi_*std::sqrt(P) + gammaDot);
         const scalar norm =
             std::sqrt(gammaDot*gammaDot + alphas_*alphas_);
         return yield + (norm > 0 ? flow*gammaDot/norm : flow);

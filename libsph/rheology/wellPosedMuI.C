@@ -14,6 +14,7 @@
 //     }
 
 #include "rheology/GeneralisedNewtonian.H"
+#include "rheology/Grains.H"
 #include "rheology/WellPosedFriction.H"
 
 #include <cmath>
@@ -26,28 +27,14 @@ namespace
 class wellPosedMuI : public GeneralisedNewtonian
 {
     const WellPosedFriction law_;
-    const scalar d_, rhos_, etaMax_;
+    const Grains grains_;
+    const scalar etaMax_;
 
 public:
     wellPosedMuI(const dictionary& dict, const EquationOfState&)
     :
         law_(dict),
-        d_
-        (
-            dict.get
-            (
-                {"d", "diameter of a grain", "5e-4"},
-                dimLength, Range::positive()
-            )
-        ),
-        rhos_
-        (
-            dict.get
-            (
-                {"rhos", "density of a grain", "2500"},
-                dimDensity, Range::positive()
-            )
-        ),
+        grains_(dict),
         etaMax_
         (
             dict.get
@@ -67,7 +54,8 @@ public:
         {
             const scalar P = std::max(particles.p[i] + particles.q[i], 0.0);
             const scalar gammaDot = particles.gammaDot[i];
-            const scalar I = P > 0 ? d_*gammaDot/std::sqrt(P/rhos_) : 0;
+            const scalar I =
+                P > 0 ? grains_.d*gammaDot/std::sqrt(P/grains_.rhos) : 0;
             const scalar tau = law_.mu(I)*P;
             particles.I[i] = I;
             particles.eta[i] =

@@ -14,12 +14,17 @@ struct Law
     scalar mus, mu2, I0;
     scalar I1, I2;      // C = 0 of mu(I): roots found by others
 
-    WellPosedFriction make(const std::string& more = "") const
+    dictionary dict(const std::string& more = "") const
     {
         std::ostringstream os;
         os.precision(17);
         os << "mus " << mus << "; mu2 " << mu2 << "; I0 " << I0 << ';' << more;
-        return WellPosedFriction(dictionary::fromString(os.str(), "law"));
+        return dictionary::fromString(os.str(), "law");
+    }
+
+    WellPosedFriction make(const std::string& more = "") const
+    {
+        return WellPosedFriction(dict(more));
     }
 };
 
@@ -40,10 +45,8 @@ TEST(wellPosedness, boundsOfMuIAreThoseKnown)
 {
     for (const Law& law : laws)
     {
-        const auto C = [&](const scalar I)
-        {
-            return muIFriction(law.mus, law.mu2, law.I0, I).C();
-        };
+        const muIFriction muI(law.dict());
+        const auto C = [&](const scalar I) { return muI(I).C(); };
         EXPECT_GT(C(0.999*law.I1), 0) << law.name;
         EXPECT_LT(C(1.001*law.I1), 0) << law.name;
         EXPECT_LT(C(0.9999*law.I2), 0) << law.name;
@@ -57,6 +60,7 @@ TEST(wellPosedness, slopeIsTheDerivative)
     for (const Law& law : laws)
     {
         const WellPosedFriction wellPosed = law.make();
+        const muIFriction muI(law.dict());
         for (const scalar I : {1e-9, 1e-4, 3e-3, 0.05, 0.7, 5.0})
         {
             const scalar e = 1e-5;
@@ -66,14 +70,10 @@ TEST(wellPosedness, slopeIsTheDerivative)
                 std::log(wellPosed.mu(I*(1 + e))/wellPosed.mu(I*(1 - e)))/(2*e),
                 1e-6
             );
-            const auto mu = [&](const scalar J)
-            {
-                return muIFriction(law.mus, law.mu2, law.I0, J).mu;
-            };
             EXPECT_NEAR
             (
-                muIFriction(law.mus, law.mu2, law.I0, I).n,
-                std::log(mu(I*(1 + e))/mu(I*(1 - e)))/(2*e), 1e-6
+                muI(I).n,
+                std::log(muI(I*(1 + e)).mu/muI(I*(1 - e)).mu)/(2*e), 1e-6
             );
         }
     }

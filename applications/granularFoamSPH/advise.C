@@ -1,0 +1,182 @@
+#include "advise.H"
+
+#include "advice/MeasuredScene.H"
+#include "advice/knownLimits.H"
+
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+
+namespace sph
+{
+
+CommandLine::Option adviseOption()
+{
+    return
+    {
+        "advise", "percent",
+        "say which spacing and setting reach an error, and exit"
+    };
+}
+
+
+static scalar wantedError(const std::string& text)
+{
+    std::size_t end = 0;
+    scalar percent = 0;
+    try
+    {
+        percent = std::stod(text, &end);
+    }
+    catch (const std::exception&)
+    {
+        end = 0;
+    }
+    if (end != text.size() || !(percent > 0) || !std::isfinite(percent))
+    {
+        throw Error
+        (
+            "-advise takes the wanted error in percent, greater than 0, not '"
+          + text + "'"
+        );
+    }
+    return percent;
+}
+
+static void describe(const CaseScene& scene)
+{
+    std::cout
+        << "This case: " << scene.kind << ", H = " << scene.height
+        << " m, L = " << scene.length << " m, a = H/L = " << scene.aspect()
+        << ",\n" << scene.across() << " particles across, " << scene.duration
+        << " sqrt(H/g) long\n";
+}
+
+static std::string percent(const std::optional<scalar>& value)
+{
+    if (!value)
+    {
+        return "-";
+    }
+    std::ostringstream text;
+    text << std::setprecision(3) << *value << " %";
+    return text.str();
+}
+
+static void printRuns
+(
+    const MeasuredScene& nearest, const CaseScene& scene
+)
+{
+    std::cout
+        << "\nNearest scene that was measured: " << nearest.name() << " (a = "
+        << nearest.aspect() << "), errors against " << nearest.reference()
+        << ".\nTimes are scaled to this case by particles and steps, one thread"
+           " of the machine of\nthe charts.\n\n" << std::left
+        << std::setw(12) << "setting" << std::setw(8) << "across"
+        << std::setw(11) << "particles" << std::setw(10) << "error"
+        << std::setw(10) << "front" << std::setw(10) << "height"
+        << "time [s]\n";
+    for (const MeasuredRun& run : nearest.runs())
+    {
+        std::cout
+            << std::setw(12) << run.setting << std::setw(8) << run.across
+            << std::setw(11) << std::lround(scene.particles(run.across))
+            << std::setw(10) << percent(run.error)
+            << std::setw(10) << percent(run.front)
+            << std::setw(10) << percent(run.height)
+            << std::setprecision(2) << nearest.timeOf(scene, run)
+            << std::setprecision(6) << '\n';
+    }
+}
+
+// The cheapest run of any setting within the error
+static void recommend
+(
+    const MeasuredScene& nearest, const CaseScene& scene, const scalar wanted
+)
+{
+    const MeasuredRun* best = nullptr;
+    for (const MeasuredRun& run : nearest.runs())
+    {
+        const MeasuredRun* within =
+            nearest.coarsestWithin(run.setting, wanted);
+        if
+        (
+            within
+         && (
+                !best
+             || nearest.timeOf(scene, *within) < nearest.timeOf(scene, *best)
+            )
+        )
+        {
+            best = within;
+        }
+    }
+    std::cout << '\n';
+    if (!best)
+    {
+        std::cout
+            << "No measured run comes within " << wanted << " %: the finest"
+               " ones above say how near\nthe method was seen to come.\n";
+        return;
+    }
+    std::cout
+        << "Within " << wanted << " % in "
+        << (best->front ? "front and height" : "its error") << ": "
+        << best->setting << " with " << best->across
+        << " particles across,\nspacing " << scene.smaller()/best->across
+        << " m, about " << std::setprecision(2)
+        << nearest.timeOf(scene, *best) << std::setprecision(6)
+        << " s on one thread. In the case:\n\n"
+        << "    spacing  " << scene.smaller()/best->across
+        << ";    // system/setParticlesDict\n";
+    for (const char* file : {"controlDict", "sphSchemes", "sphSolution"})
+    {
+        std::cout
+            << "    #includeEtc \"caseDicts/" << best->setting << '/' << file
+            << "\"    // last in system/" << file << '\n';
+    }
+}
+
+void advise(const CommandLine& args)
+{
+    const scalar wanted = wantedError(args.value("advise"));
+    const CaseScene scene = readCaseScene(args.caseDir());
+    describe(scene);
+
+    const auto scenes = readMeasuredScenes();
+    const auto nearest = std::min_element
+    (
+        scenes.begin(), scenes.end(),
+        [&](const MeasuredScene& a, const MeasuredScene& b)
+        {
+            return a.distance(scene) < b.distance(scene);
+        }
+    );
+    if (nearest == scenes.end() || !std::isfinite(nearest->distance(scene)))
+    {
+        std::cout << "\nNothing like it was measured.\n";
+    }
+    else
+    {
+        printRuns(*nearest, scene);
+        if (nearest->distance(scene) > std::log(2.5))
+        {
+            std::cout
+                << "\nIts shape is far from that scene's: take the errors as a"
+                   " hint only.\n";
+        }
+        recommend(*nearest, scene, wanted);
+    }
+
+    const auto limits = knownLimits(scene);
+    std::cout << "\nKnown to fail or to degrade (tutorials/charts/stability):"
+        << (limits.empty() ? " nothing in a case like this one\n" : "\n");
+    for (const std::string& limit : limits)
+    {
+        std::cout << "  - " << limit << '\n';
+    }
+}
+
+} // namespace sph
