@@ -47,7 +47,7 @@ TEST(startPressures, ofAHydrostaticStartBelongToItsK)
     EXPECT_FALSE(where.has("0/uniform/time"));
     EXPECT_NEAR(K(where), 100*rho0gH, 1);
 
-    where.set("system/setParticlesDict", "hydrostatic", "no");
+    where.append("system/setParticlesDict", "hydrostatic no;");
     where.succeed("setParticles");
     EXPECT_FALSE(where.has("0/uniform"));
 }
