@@ -52,6 +52,19 @@ TEST(startPressures, ofAHydrostaticStartBelongToItsK)
     EXPECT_FALSE(where.has("0/uniform"));
 }
 
+// Pressures that are rounding, as those of 2500 kg/m3 and K = 365 kPa are
+TEST(startPressures, ofAStartWithoutThemMayBeRounding)
+{
+    const AppCase where;
+    where.append("system/setParticlesDict", "hydrostatic no;");
+    where.append
+    (
+        "constant/granularProperties", "rho0 2500; linearCoeffs { H 0.149; }"
+    );
+    where.succeed("setParticles");
+    where.succeed("granularFoamSPH -dry-run");
+}
+
 TEST(startPressures, ofALithostaticStartHaveTheirShareSidewards)
 {
     const AppCase where;
