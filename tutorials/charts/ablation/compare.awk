@@ -3,12 +3,15 @@
 #     awk -v tsv=<results.tsv> -f compare.awk terms -
 #
 # Reads of each scene 'number <quantity> <reference> <least change>', its runs
-# 'run <term> <outcome>' with their numbers '<quantity> <value>', and 'end <scene>'. Prints a row a term, and appends a row a number to tsv.
+# 'run <term> <outcome>' with their numbers '<quantity> <value>', and 'end <scene>'.
+# Prints a row a term, and appends a row a number to tsv.
 #
 # The change of a number is the difference of the means over the seeds, its scatter
-# the standard deviation over the seeds of the base. A change counts if it is above
-# two scatters and above the least one; it is for the worse if it leads away from
-# the reference.
+# the standard deviation over the seeds of the base, at least half of the least change
+# that matters. Above two scatters it counts; it is for the worse if it leads away
+# from the reference. The cost is the least time of a step in the first three runs, as
+# other programs only add to it, times the mean number of steps; what is below a fifth
+# may be those programs.
 BEGIN {
     OFS = ","
     print "tutorial", "term", "state", "verdict", "CPU_percent", \
@@ -51,7 +54,7 @@ $1 == "end" {
     for (k = 2; k <= T; ++k) compare($2, terms[k])
     Q = T = 0
     split("", runs); split("", fails); split("", n); split("", sum)
-    split("", squares)
+    split("", squares); split("", pace)
     next
 }
 
@@ -59,6 +62,9 @@ $1 == "end" {
     ++n[term, $1]
     sum[term, $1] += $2
     squares[term, $1] += $2^2
+    if ($1 == "CPU") CPU = $2
+    if ($1 == "steps" && $2 && runs[term] <= 3 && \
+        (!(term in pace) || CPU/$2 < pace[term])) pace[term] = CPU/$2
 }
 
 function abs(a) { return a < 0 ? -a : a }
@@ -71,13 +77,19 @@ function scatter(q,    N, square)
     return square > 0 ? sqrt(square) : 0
 }
 
-function percent(term, q) { return 100*(mean(term, q)/mean("base", q) - 1) }
+function cost(term) { return pace[term]*mean(term, "steps") }
 
-function compare(scene, term,    k, q, s, change, worse, says, best, worst, decisive,
-    changes, verdict, added, cost)
+function compare(scene, term,    k, q, s, change, worse, says, best, worst, harm,
+    help, changes, verdict, added, time)
 {
     added = state[term] == "on"
-    for (k = 1; k <= Q && !(term in fails); ++k)
+    if (term in fails)
+    {
+        print_(scene, term, added ? "would harm" : "needed", "-", "-", \
+            fails[term], fails[term])
+        return
+    }
+    for (k = 1; k <= Q; ++k)
     {
         q = quantities[k]
         s = scatter(q)
@@ -89,31 +101,33 @@ function compare(scene, term,    k, q, s, change, worse, says, best, worst, deci
         if (says == "worse" && worse/s > worst)
         {
             worst = worse/s
-            decisive = sprintf("%s %+.1f", q, change/s)
+            harm = sprintf("%s %+.1f", q, change/s)
         }
-        if (says == "better" && -worse/s > best)
+        if (says == "better" && -worse/s >= best)
         {
             best = -worse/s
-            if (!worst) decisive = sprintf("%s %+.1f", q, change/s)
+            help = sprintf("%s %+.1f", q, change/s)
         }
         changes = changes sprintf("%s%s %+.1f", k > 1 ? "; " : "", q, change/s)
         row(scene, term, q, change, s, says)
     }
-    cost = percent(term, "CPU")
-    if (term in fails)
-    {
-        verdict = "needed"
-        if (added) verdict = "would harm"
-        decisive = changes = fails[term]
-    }
-    else if (worst) verdict = added ? "would harm" : "needed"
-    else if (best) verdict = added ? "would help" : "harms"
-    else if (added && cost < -10) verdict = "would buy speed"
-    else if (!added && cost > 10) verdict = "buys speed"
-    else verdict = added ? "would buy nothing" : "buys nothing"
-    if (worst && best) changes = changes "; in part better"
-    printf "%s,%s,%s,%s,%.0f,%.0f,%s,%s\n", scene, label[term], \
-        state[term], verdict, cost, percent(term, "steps"), decisive, changes
+    time = 100*(cost(term)/cost("base") - 1)
+    if (harm != "" && (help != "" || added && time < -20))
+        verdict = added ? "would trade" : "trades"
+    else if (harm != "") verdict = added ? "would harm" : "needed"
+    else if (added && help != "") verdict = "would help"
+    else if (added) verdict = time < -20 ? "would buy speed" : "would buy nothing"
+    else if (time > 20) verdict = "buys speed"
+    else verdict = help != "" ? "harms" : "buys nothing"
+    print_(scene, term, verdict, sprintf("%.0f", time), \
+        sprintf("%.0f", 100*(mean(term, "steps")/mean("base", "steps") - 1)), \
+        harm (harm != "" && help != "" ? "; " : "") help, changes)
+}
+
+function print_(scene, term, verdict, time, steps, decisive, changes)
+{
+    printf "%s,%s,%s,%s,%s,%s,%s,%s\n", scene, label[term], state[term], verdict, \
+        time, steps, decisive, changes
 }
 
 # As the studies of validation have them: off or on, base, twice the scatter
