@@ -10,8 +10,8 @@
 # the standard deviation over the seeds of the base, at least half of the least change
 # that matters. Above two scatters it counts; it is for the worse if it leads away
 # from the reference. The cost is the least time of a step in the first three runs, as
-# other programs only add to it, times the mean number of steps; what is below a fifth
-# may be those programs.
+# other programs only add to it, times the mean number of steps. A fifth of either
+# counts, less may be those programs; of the steps what is above two scatters.
 BEGIN {
     OFS = ","
     print "tutorial", "term", "state", "verdict", "CPU_percent", \
@@ -68,6 +68,7 @@ $1 == "end" {
 }
 
 function abs(a) { return a < 0 ? -a : a }
+function larger(a, b) { return a > b ? a : b }
 function mean(term, q) { return sum[term, q]/n[term, q] }
 
 function scatter(q,    N, square)
@@ -77,23 +78,20 @@ function scatter(q,    N, square)
     return square > 0 ? sqrt(square) : 0
 }
 
-function cost(term) { return pace[term]*mean(term, "steps") }
-
 function compare(scene, term,    k, q, s, change, worse, says, best, worst, harm,
-    help, changes, verdict, added, time)
+    help, changes, verdict, added, time, steps, limit, slower, faster)
 {
     added = state[term] == "on"
     if (term in fails)
     {
-        print_(scene, term, added ? "would harm" : "needed", "-", "-", \
+        tell(scene, term, added ? "would harm" : "needed", "-", "-", \
             fails[term], fails[term])
         return
     }
     for (k = 1; k <= Q; ++k)
     {
         q = quantities[k]
-        s = scatter(q)
-        if (s < 0.5*least[q]) s = 0.5*least[q]
+        s = larger(scatter(q), 0.5*least[q])
         change = mean(term, q) - mean("base", q)
         worse = abs(mean(term, q) - reference[q]) \
             - abs(mean("base", q) - reference[q])
@@ -111,20 +109,23 @@ function compare(scene, term,    k, q, s, change, worse, says, best, worst, harm
         changes = changes sprintf("%s%s %+.1f", k > 1 ? "; " : "", q, change/s)
         row(scene, term, q, change, s, says)
     }
-    time = 100*(cost(term)/cost("base") - 1)
-    if (harm != "" && (help != "" || added && time < -20))
+    steps = 100*(mean(term, "steps")/mean("base", "steps") - 1)
+    time = (100 + steps)*pace[term]/pace["base"] - 100
+    limit = larger(20, 200*scatter("steps")/mean("base", "steps"))
+    slower = pace[term] > 1.2*pace["base"] || steps > limit
+    faster = pace[term] < 0.8*pace["base"] || steps < -limit
+    if (harm != "" && (help != "" || added && faster))
         verdict = added ? "would trade" : "trades"
     else if (harm != "") verdict = added ? "would harm" : "needed"
     else if (added && help != "") verdict = "would help"
-    else if (added) verdict = time < -20 ? "would buy speed" : "would buy nothing"
-    else if (time > 20) verdict = "buys speed"
+    else if (added) verdict = faster ? "would buy speed" : "would buy nothing"
+    else if (slower) verdict = "buys speed"
     else verdict = help != "" ? "harms" : "buys nothing"
-    print_(scene, term, verdict, sprintf("%.0f", time), \
-        sprintf("%.0f", 100*(mean(term, "steps")/mean("base", "steps") - 1)), \
-        harm (harm != "" && help != "" ? "; " : "") help, changes)
+    tell(scene, term, verdict, sprintf("%.0f", time), \
+        sprintf("%.0f", steps), harm (harm != "" && help != "" ? "; " : "") help, changes)
 }
 
-function print_(scene, term, verdict, time, steps, decisive, changes)
+function tell(scene, term, verdict, time, steps, decisive, changes)
 {
     printf "%s,%s,%s,%s,%s,%s,%s,%s\n", scene, label[term], state[term], verdict, \
         time, steps, decisive, changes
