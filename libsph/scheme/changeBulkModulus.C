@@ -53,8 +53,10 @@ void checkPressures
     const scalar greatest
 )
 {
-    const scalar allowed = 0.01*greatest;
-    for (label i = 0; i < particles.granular().end && allowed > 0; ++i)
+    // Rounding of rho, where nothing presses
+    const scalar rounding = 1e-12*eos.rho0()*eos.c()*eos.c();
+    const scalar allowed = 0.01*greatest + rounding;
+    for (label i = 0; i < particles.granular().end && greatest > 0; ++i)
     {
         const scalar p = eos.pressure(particles.rho[i]);
         if (!(std::abs(p - particles.p[i]) <= allowed))

@@ -96,7 +96,7 @@ TEST(commands, caseInAFolderWithBlanks)
 TEST(commands, purgeWriteKeepsTheLastTimes)
 {
     const AppCase where;
-    where.set("system/controlDict", "purgeWrite", "2");
+    where.append("system/controlDict", "purgeWrite 2;");
     where.set("system/controlDict", "writeInterval", "0.005");
     where.succeed("setParticles");
     where.succeed("granularFoamSPH");

@@ -56,7 +56,7 @@ TEST(repeatability, restartBitForBitWithOtherModels)
 TEST(repeatability, restartBitForBitFromAscii)
 {
     const AppCase where;
-    where.set("system/controlDict", "writeFormat", "ascii");
+    where.append("system/controlDict", "writeFormat ascii;");
     expectRestartIsExact(where);
 }
 

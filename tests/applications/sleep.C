@@ -112,7 +112,7 @@ TEST(sleep, isDecidedHoweverOftenTheStateIsWritten)
     const Collapse where("0.2");
     where.set("system/controlDict", "writeControl", "timeStep");
     where.set("system/controlDict", "writeInterval", "3");
-    where.set("system/controlDict", "purgeWrite", "2");
+    where.append("system/controlDict", "purgeWrite 2;");
     where.succeed("granularFoamSPH");
     EXPECT_GT(where.asleep(where.latestTime()), 20);
 }

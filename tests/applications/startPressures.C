@@ -47,9 +47,22 @@ TEST(startPressures, ofAHydrostaticStartBelongToItsK)
     EXPECT_FALSE(where.has("0/uniform/time"));
     EXPECT_NEAR(K(where), 100*rho0gH, 1);
 
-    where.set("system/setParticlesDict", "hydrostatic", "no");
+    where.append("system/setParticlesDict", "hydrostatic no;");
     where.succeed("setParticles");
     EXPECT_FALSE(where.has("0/uniform"));
+}
+
+// Pressures that are rounding, as those of 2500 kg/m3 and K = 365 kPa are
+TEST(startPressures, ofAStartWithoutThemMayBeRounding)
+{
+    const AppCase where;
+    where.append("system/setParticlesDict", "hydrostatic no;");
+    where.append
+    (
+        "constant/granularProperties", "rho0 2500; linearCoeffs { H 0.149; }"
+    );
+    where.succeed("setParticles");
+    where.succeed("granularFoamSPH -dry-run");
 }
 
 TEST(startPressures, ofALithostaticStartHaveTheirShareSidewards)
