@@ -1,0 +1,22 @@
+# The verdict on a run from the bands and its quantities: the worst of them, and
+# the quantity that has it.
+#     awk -f verdict.awk bands <quantities>
+/^#/ { next }
+FNR == NR { degrades[$1] = $2; fails[$1] = $3; next }
+{
+    rank = $2 > fails[$1] ? 2 : $2 > degrades[$1] ? 1 : 0
+    share = $2/fails[$1]
+    if (!any++ || rank > worst || rank == worst && share > most)
+    {
+        worst = rank
+        most = share
+        name = $1
+        value = $2
+        band = degrades[$1] " to " fails[$1]
+    }
+}
+END {
+    split("survives degrades fails", verdict)
+    if (any) print verdict[worst + 1], name, value, band
+    else print "fails - - -"
+}
