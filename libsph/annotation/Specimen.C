@@ -20,29 +20,16 @@ Specimen::Specimen(const scalar spacing)
     boundaries(boundary, spacing),
     scheme(schemes, solution, particles, boundaries, material, g)
 {
-    const std::vector<WallParticle> walls = boundaries.wallParticles();
-    particles.resize(n*n, label(walls.size()));
-    const auto place = [&](const label i, const vector& r)
+    particles.resize(n*n, label(boundaries.wallParticles().size()));
+    for (label i = 0; i < n*n; ++i)
     {
         particles.id[i] = i;
-        particles.r.set(i, r);
+        particles.r.set(i, spacing*vector(i % n + 0.5, i/n + 0.5));
         particles.rho[i] = material.rho0();
         particles.V[i] = spacing*spacing;
         particles.m[i] = material.rho0()*particles.V[i];
-    };
-    for (label i = 0; i < n*n; ++i)
-    {
-        place(i, spacing*vector(i % n + 0.5, i/n + 0.5));
     }
-    label i = particles.walls().begin;
-    for (const WallParticle& wall : walls)
-    {
-        place(i, wall.r);
-        particles.n.set(i, wall.n);
-        particles.depth[i] = wall.depth;
-        particles.patch[i] = wall.patch;
-        ++i;
-    }
+    boundaries.placeWalls(material.rho0(), particles);
     silence_.reset();
 }
 

@@ -96,6 +96,24 @@ std::vector<WallParticle> Boundaries::wallParticles() const
     return all;
 }
 
+void Boundaries::placeWalls(const scalar rho0, Particles& particles) const
+{
+    label i = particles.walls().begin;
+    std::int64_t id = particles.granular().end;
+    for (const WallParticle& wall : wallParticles())
+    {
+        particles.id[i] = id++;
+        particles.r.set(i, wall.r);
+        particles.n.set(i, wall.n);
+        particles.depth[i] = wall.depth;
+        particles.patch[i] = wall.patch;
+        particles.rho[i] = rho0;
+        particles.V[i] = wall.share*spacing_*spacing_;
+        particles.m[i] = rho0*particles.V[i];
+        ++i;
+    }
+}
+
 void Boundaries::moveTo(const scalar time)
 {
     for (const auto& patch : patches_)

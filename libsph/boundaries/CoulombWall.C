@@ -95,6 +95,8 @@ public:
 
     bool mirrorsStress() const override { return true; }
 
+    label perSpacing() const override { return 2; }
+
     scalar muWall() const override { return muWall_; }
 };
 

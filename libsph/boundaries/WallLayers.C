@@ -50,7 +50,9 @@ void Wall::addRow
     {
         return;
     }
-    const label n = std::max<label>(1, std::lround(total/spacing()));
+    const scalar share = 1.0/perSpacing();
+    const label n =
+        std::max<label>(1, std::lround(total/(share*spacing())));
     label s = begin;
     scalar passed = 0;
     for (label i = 0; i < n; ++i)
@@ -62,7 +64,7 @@ void Wall::addRow
             ++s;
         }
         const vector r = line[s] + (along - passed)*tangent(s);
-        row.push_back({r, normal(s), depth, -1});
+        row.push_back({r, normal(s), depth, -1, share});
     }
 }
 

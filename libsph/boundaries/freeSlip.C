@@ -3,7 +3,8 @@
 //
 //     U_w = U~ - 2 n n.(U~ - U_wall),   U~ = sum U V W/sum V W
 //
-// Adami, Hu & Adams, J. Comput. Phys. 231, 7057 (2012).
+// Adami, Hu & Adams, J. Comput. Phys. 231, 7057 (2012). Its particles stand two
+// to a spacing along the wall, see Wall.
 //
 //     side { type freeSlip; points ((0 0.2 0) (0 0 0)); }
 
@@ -32,6 +33,8 @@ public:
     WallFriction friction() const override { return {0, 2, velocity()}; }
 
     bool mirrorsStress() const override { return true; }
+
+    label perSpacing() const override { return 2; }
 };
 
 static const Boundary::Add<freeSlip> add

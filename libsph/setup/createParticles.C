@@ -29,37 +29,22 @@ void createParticles
 )
 {
     const scalar dx = particles.spacing();
-    const std::vector<WallParticle> walls = boundaries.wallParticles();
     const label nGranular = rangesOf(regions).back().end;
-    particles.resize(nGranular, label(walls.size()));
-
-    const auto fill = [&](const label i, const std::int64_t id)
-    {
-        particles.id[i] = id;
-        particles.rho[i] = rho0;
-        particles.m[i] = rho0*dx*dx;
-    };
+    particles.resize(nGranular, label(boundaries.wallParticles().size()));
 
     label i = 0;
     for (const RegionParticles& region : regions)
     {
         for (const vector& point : region.points)
         {
+            particles.id[i] = i;
             particles.r.set(i, point);
-            fill(i, i);
+            particles.rho[i] = rho0;
+            particles.m[i] = rho0*dx*dx;
             ++i;
         }
     }
-    i = particles.walls().begin;
-    std::int64_t id = nGranular;
-    for (const WallParticle& wall : walls)
-    {
-        particles.r.set(i, wall.r);
-        particles.n.set(i, wall.n);
-        particles.patch[i] = wall.patch;
-        fill(i, id++);
-        ++i;
-    }
+    boundaries.placeWalls(rho0, particles);
 }
 
 static void reportWalls

@@ -72,22 +72,7 @@ void CollapseScene::fill()
             particles_.id[i] = i;
         }
     }
-    fillWalls();
-}
-
-void CollapseScene::fillWalls()
-{
-    label i = particles_.walls().begin;
-    for (const WallParticle& wall : boundaries_.wallParticles())
-    {
-        particles_.r.set(i, wall.r);
-        particles_.n.set(i, wall.n);
-        particles_.depth[i] = wall.depth;
-        particles_.patch[i] = wall.patch;
-        particles_.rho[i] = material_.rho0();
-        particles_.m[i] = material_.rho0()*spacing_*spacing_;
-        ++i;
-    }
+    boundaries_.placeWalls(material_.rho0(), particles_);
 }
 
 // Velocity and density vary linearly within the square of a particle
@@ -127,7 +112,7 @@ void CollapseScene::rewind()
         particles_.s.set(i, start.s[i]);
         particles_.id[i] = i;
     }
-    fillWalls();
+    boundaries_.placeWalls(material_.rho0(), particles_);
     scheme_.neighbourhood().reset();
     scheme_.initialise();
     steps_ = 0;

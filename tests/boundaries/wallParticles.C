@@ -194,7 +194,7 @@ TEST(wallParticles, twoPatchesShareACorner)
     const auto walls = boundaries
     (
         "bed { type noSlip; points ((-0.3 0 0) (1 0 0)); }"
-        "side { type freeSlip; points ((0 1 0) (0 -0.3 0)); }"
+        "side { type Morris; points ((0 1 0) (0 -0.3 0)); }"
     ).wallParticles();
     EXPECT_EQ(walls.size(), 3u*13u + 3u*10u);
     label patches[2] = {0, 0};
@@ -204,6 +204,29 @@ TEST(wallParticles, twoPatchesShareACorner)
         ++patches[w.patch];
     }
     EXPECT_EQ(patches[0], 39);
+}
+
+// Where material slips along the wall two particles share the area of one
+TEST(wallParticles, ofASmoothWallStandTwiceAsDense)
+{
+    const Boundaries bed = boundaries
+    (
+        "bed { type freeSlip; points ((0 0 0) (1 0 0)); }"
+    );
+    const auto walls = bed.wallParticles();
+    ASSERT_EQ(walls.size(), 2u*3u*10u);
+    Particles P(dx);
+    P.resize(1, label(walls.size()));
+    bed.placeWalls(1500, P);
+    scalar mass = 0;
+    for (label w = P.walls().begin; w < P.walls().end; ++w)
+    {
+        EXPECT_NEAR(nearest(walls, P.r[w], &walls[w - P.walls().begin]),
+            0.5*dx, 1e-12);
+        EXPECT_EQ(P.rho[w], 1500);
+        mass += P.m[w];
+    }
+    EXPECT_NEAR(mass, 1500*0.3*1, 1e-9) << "of three rows, 1 m long";
 }
 
 } // namespace sph

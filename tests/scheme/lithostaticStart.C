@@ -77,7 +77,8 @@ Start run
 
 } // namespace
 
-// Between smooth sides that hold K0 of the weight. The surface rows settle
+// Between smooth sides that hold K0 of the weight, and along which the surface
+// rows slip down as they settle
 TEST(lithostaticStart, aColumnStaysAtRestWithItsK0)
 {
     CaseText text;
@@ -91,7 +92,7 @@ TEST(lithostaticStart, aColumnStaysAtRestWithItsK0)
         (
             text, 10, K0, "stress lithostatic; K0 " + std::to_string(K0) + ';'
         );
-        EXPECT_LT(start.fastest, 0.002);
+        EXPECT_LT(start.fastest, 0.0025);
         EXPECT_LT(start.kinetic, 1e-6);
         EXPECT_LT(start.normal, 0.01);
         EXPECT_LT(start.along, 0.02);

@@ -5,7 +5,7 @@ set multiplot layout 1,2
 set key top right
 set xlabel 'x/H_0'
 set ylabel 'h/H_0'
-files(a, n) = system(sprintf("ls runs/a%s_n%d/postProcessing/postRunout/0/profile_*.dat 2>/dev/null | sort -t_ -k3 -g", a, n))
+files(a, n) = system(sprintf("ls runs/a%s_n%d_s1/postProcessing/postRunout/0/profile_*.dat 2>/dev/null | sort -t_ -k3 -g", a, n))
 do for [k = 1:2] {
     a = k == 1 ? '0.5' : '6.26'
     H0 = k == 1 ? 0.149 : 0.677
