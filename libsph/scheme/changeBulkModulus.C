@@ -53,8 +53,13 @@ void checkPressures
     const scalar greatest
 )
 {
+    // Less is the rounding of rho0
+    if (!(greatest > 1e-9*eos.K()))
+    {
+        return;
+    }
     const scalar allowed = 0.01*greatest;
-    for (label i = 0; i < particles.granular().end && allowed > 0; ++i)
+    for (label i = 0; i < particles.granular().end; ++i)
     {
         const scalar p = eos.pressure(particles.rho[i]);
         if (!(std::abs(p - particles.p[i]) <= allowed))

@@ -21,7 +21,7 @@
 function asked(name) { return (" " quantities " ") ~ (" " name " ") }
 function tell(name, value)
 {
-    if (asked(name)) printf "%s %.3g\n", name, abs(value)
+    if (asked(name)) printf "%s %.3g\n", name, value
 }
 function part(a) { return a - int(a) }
 
@@ -36,32 +36,44 @@ FILENAME ~ /runout/ && !/^ *#/ {
     front = $4; runout = $5; height = $6
 }
 
-# Of the material at places that go through all positions between particles,
-# where it surrounds them: the sum of Wendland's function of support 2 dx
-function density(f,    i, k, X, Y, a, b, c, list, j, u, v, q, w, sum, U, V, n, total)
+# Of the material where it surrounds a place, the mean over places that are spread
+# evenly: the sum of Wendland's function of support 2 dx
+function density(f,    at, key, k, X, Y, sum, n)
 {
-    for (i = 0; i < number[f]; ++i)
+    for (at in cell)
     {
-        X = x(f, i) + dx*(part(0.618034*i) - 0.5)
-        Y = y(f, i) + dx*(part(0.754878*i) - 0.5)
-        sum = U = V = 0
-        for (a = -1; a <= 1; ++a) for (b = -1; b <= 1; ++b)
+        split(at, key, SUBSEP)
+        if (key[1] != f) continue
+        for (k = 0; k < 4; ++k)
         {
-            c = split(cell[f, cellOf(X) + a, cellOf(Y) + b], list, " ")
-            for (k = 1; k <= c; ++k)
-            {
-                j = list[k]
-                u = (x(f, j) - X)/dx
-                v = (y(f, j) - Y)/dx
-                q = sqrt(u*u + v*v)
-                if (q >= 2) continue
-                w = (1 - q/2)^4*(2*q + 1)*7/(4*pi)
-                sum += w; U += w*u; V += w*v
-            }
+            X = part(0.618034*key[2] + 0.381966*key[3] + 0.25*k)
+            Y = part(0.754878*key[2] + 0.569840*key[3] + 0.5*k)
+            X = 2*dx*(key[2] - 1000 + X)
+            Y = 2*dx*(key[3] - 1000 + Y)
+            if (surrounded(f, X, Y)) { sum += filling; ++n }
         }
-        if (sum > 0 && sqrt(U*U + V*V) < 0.12*sum) { total += sum; ++n }
     }
-    return n > 9 ? total/n : ""
+    return n > 9 ? sum/n : ""
+}
+# Sets filling. In the middle of what is near
+function surrounded(f, X, Y,    a, b, c, k, list, j, u, v, q, w, U, V)
+{
+    filling = U = V = 0
+    for (a = -1; a <= 1; ++a) for (b = -1; b <= 1; ++b)
+    {
+        c = split(cell[f, cellOf(X) + a, cellOf(Y) + b], list, " ")
+        for (k = 1; k <= c; ++k)
+        {
+            j = list[k]
+            u = (x(f, j) - X)/dx
+            v = (y(f, j) - Y)/dx
+            q = sqrt(u*u + v*v)
+            if (q >= 2) continue
+            w = (1 - q/2)^4*(2*q + 1)*7/(4*pi)
+            filling += w; U += w*u; V += w*v
+        }
+    }
+    return filling > 0 && sqrt(U*U + V*V) < 0.12*filling
 }
 
 END {

@@ -4,8 +4,9 @@
 /^#/ { next }
 FNR == NR { degrades[$1] = $2; fails[$1] = $3; next }
 {
-    rank = $2 > fails[$1] ? 2 : $2 > degrades[$1] ? 1 : 0
-    share = $2/fails[$1]
+    size = $2 < 0 ? -$2 : $2
+    rank = size > fails[$1] ? 2 : size > degrades[$1] ? 1 : 0
+    share = size/fails[$1]
     if (!any++ || rank > worst || rank == worst && share > most)
     {
         worst = rank
