@@ -26,9 +26,8 @@ void Doubts::look(const scalar time, const label netHits)
     if (looks_++ % interval == 0)
     {
         lookAtSpeeds(time);
-        lookAtPressures();
     }
-    if (!caught_ && netHits > few() && 10*netHits > particles_.granular().end)
+    if (!caught_ && netHits > particles_.granular().end)
     {
         caught_ = true;
         std::ostringstream os;
@@ -66,7 +65,7 @@ void Doubts::lookAtSpeeds(const scalar time)
     }
 }
 
-void Doubts::lookAtPressures()
+bool Doubts::pressed() const
 {
     const label n = particles_.granular().end;
     const scalar* p = particles_.p.data();
@@ -77,7 +76,7 @@ void Doubts::lookAtPressures()
     {
         pressed += std::abs(p[i]) > limit;
     }
-    pressed_ = pressed_ || pressed > few();
+    return pressed > few();
 }
 
 void Doubts::end() const
@@ -87,12 +86,12 @@ void Doubts::end() const
         return;
     }
     std::ostringstream os;
-    if (!pressed_)
+    if (!pressed())
     {
-        os  << "The pressures have never reached 1e-4 of the bulk modulus, "
-            << material_.eos().K() << " Pa:\n    they are lost in the noise of"
-            << " the densities. A lower K, KFactor or H, or\n    adaptive yes,"
-            << " would show them";
+        os  << "At the end the pressures are less than 1e-4 of the bulk"
+            << " modulus, " << material_.eos().K() << " Pa:\n    the noise of"
+            << " the densities covers them. A lower K, KFactor or H, or\n"
+            << "    adaptive yes, would show them";
         warning(os.str());
     }
     const auto filled = filling(particles_);

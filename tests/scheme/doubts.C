@@ -101,11 +101,11 @@ TEST_F(doubts, speedsAboveAFifthOfSound)
 
 TEST_F(doubts, particlesThatTheNetHasCaught)
 {
-    EXPECT_EQ(said([](Doubts& d) { d.look(0, 120); }), "");
+    EXPECT_EQ(said([](Doubts& d) { d.look(0, 1200); }), "");
     const std::string text =
-        said([](Doubts& d) { d.look(0, 121); d.look(1, 500); });
+        said([](Doubts& d) { d.look(0, 1201); d.look(1, 5000); });
     EXPECT_EQ(count(text, "Warning"), 1);
-    EXPECT_NE(text.find("121 times, of 1200"), std::string::npos) << text;
+    EXPECT_NE(text.find("1201 times, of 1200"), std::string::npos) << text;
 }
 
 TEST_F(doubts, pressuresThatAreLostInNoise)
