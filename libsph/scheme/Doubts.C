@@ -103,7 +103,8 @@ void Doubts::end() const
         os  << "At the end the inner material takes " << std::abs(100*excess)
             << " % " << (excess > 0 ? "more" : "less") << " room than its"
             << " densities say: it was\n    torn apart and has come together"
-            << " otherwise. Heights and volumes are wrong by as much";
+            << " otherwise. Heights and volumes are wrong by as much; less so\n"
+            << "    with a greater KFactor or H, if it was an impact";
         warning(os.str());
     }
 }

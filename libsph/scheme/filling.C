@@ -13,13 +13,13 @@ namespace
 
 using Square = std::pair<std::int64_t, std::int64_t>;
 
-// Squares of a side that hold particles, each once
-std::vector<Square> occupied(const Particles& particles, const scalar side)
+// Squares of a width that hold particles, each once
+std::vector<Square> occupied(const Particles& particles, const scalar width)
 {
     std::vector<Square> squares;
     for (label i = 0; i < particles.granular().end; ++i)
     {
-        const vector r = particles.r[i]/side;
+        const vector r = particles.r[i]/width;
         squares.emplace_back(std::floor(r.x()), std::floor(r.y()));
     }
     std::sort(squares.begin(), squares.end());
@@ -42,14 +42,23 @@ scalar W(const scalar distance, const scalar dx)
     return 7/(4*M_PI*dx*dx)*f*f*f*f*(2*q + 1);
 }
 
-// The sum at a place, or 0 where particles do not surround it
+// Up, down, left or right
+int side(const vector& d)
+{
+    return std::abs(d.x()) > std::abs(d.y()) ? d.x() > 0 : 2 + (d.y() > 0);
+}
+
+// The sum at a place, or 0 unless particles surround it: on each side one that
+// is beyond the nearest row, and their middle close by
 scalar sumAround
 (
     const vector& place, const CellGrid& grid, const Particles& particles
 )
 {
+    const scalar dx = particles.spacing();
     scalar sum = 0;
     vector towards = vector::Zero();
+    bool sides[4] = {};
     CellGrid::Run runs[3];
     grid.runsAround(place.x(), place.y(), runs);
     for (const CellGrid::Run& run : runs)
@@ -58,25 +67,29 @@ scalar sumAround
         {
             const label j = grid.particles()[k];
             const vector d = particles.r[j] - place;
-            const scalar VW =
-                particles.V[j]*W(d.norm(), particles.spacing());
+            const scalar VW = particles.V[j]*W(d.norm(), dx);
             sum += VW;
             towards += VW*d;
+            if (VW > 0 && d.norm() > 0.75*dx)
+            {
+                sides[side(d)] = true;
+            }
         }
     }
-    return towards.norm() < 0.12*particles.spacing()*sum ? sum : 0;
+    const bool all = sides[0] && sides[1] && sides[2] && sides[3];
+    return all && towards.norm() < 0.12*dx*sum ? sum : 0;
 }
 
 } // namespace
 
 std::optional<scalar> filling(const Particles& particles)
 {
-    const scalar side = 2*particles.spacing();
+    const scalar width = 2*particles.spacing();
     CellGrid grid;
-    grid.build(particles.r, {particles.granular()}, side);
+    grid.build(particles.r, {particles.granular()}, width);
     label n = 0;
     scalar total = 0;
-    for (const auto& [column, row] : occupied(particles, side))
+    for (const auto& [column, row] : occupied(particles, width))
     {
         // Irrational shifts: no lattice is met at the same places
         const vector shift
@@ -86,7 +99,7 @@ std::optional<scalar> filling(const Particles& particles)
         );
         for (int k = 0; k < 4; ++k)
         {
-            const vector place = side*vector
+            const vector place = width*vector
             (
                 column + fraction(shift.x() + 0.25*k),
                 row + fraction(shift.y() + 0.5*k)
