@@ -143,7 +143,9 @@ TEST_F(doubts, fillingIsThatOfTheRoom)
         put(squareLattice({-1.3, 0.7}, 40, 30, f*dx));
         EXPECT_NEAR(*filling(P), 1/(f*f), 0.01/(f*f)) << f;
     }
-    put(randomPoints(1200, {0, 0}, {4, 3}));
+    Points shaken = squareLattice({0, 0}, 40, 30, dx);
+    shake(shaken, 0.4*dx);
+    put(shaken);
     EXPECT_NEAR(*filling(P), 1, 0.08);
     put(squareLattice({0, 0}, 40, 2, dx));
     EXPECT_FALSE(filling(P));
