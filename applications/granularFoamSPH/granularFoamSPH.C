@@ -19,6 +19,7 @@
 #include "runTime/Progress.H"
 #include "runTime/Time.H"
 #include "runTime/log.H"
+#include "scheme/Doubts.H"
 #include "scheme/Guard.H"
 #include "scheme/Scheme.H"
 #include "scheme/Sleep.H"
@@ -143,6 +144,7 @@ int main(int argc, char* argv[])
             scheme.neighbourhood(), material.eos(), scheme.kernel().h()
         );
         Guard guard(solution, particles, material);
+        Doubts doubts(particles, material);
 
         boundaries.setDepths(particles);
         SoundSpeed soundSpeed(material.eos(), g, particles, runTime.value());
@@ -255,6 +257,7 @@ int main(int argc, char* argv[])
                 << scheme.neighbourhood().rebuilds()
                 << "  wall net hits: " << netHits << '\n';
             guard.check(particles, runTime);
+            doubts.look(runTime.value(), netHits);
             functions.execute(runTime);
             if (runTime.writeTime())
             {
@@ -269,6 +272,7 @@ int main(int argc, char* argv[])
 
         functions.end();
         sleep.printSummary();
+        doubts.end();
         std::cout << "End\n" << std::endl;
         return 0;
     });

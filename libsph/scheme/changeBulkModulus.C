@@ -53,10 +53,13 @@ void checkPressures
     const scalar greatest
 )
 {
-    // Rounding of rho, where nothing presses
-    const scalar rounding = 1e-12*eos.rho0()*eos.c()*eos.c();
-    const scalar allowed = 0.01*greatest + rounding;
-    for (label i = 0; i < particles.granular().end && greatest > 0; ++i)
+    // Less is the rounding of rho0
+    if (!(greatest > 1e-9*eos.K()))
+    {
+        return;
+    }
+    const scalar allowed = 0.01*greatest;
+    for (label i = 0; i < particles.granular().end; ++i)
     {
         const scalar p = eos.pressure(particles.rho[i]);
         if (!(std::abs(p - particles.p[i]) <= allowed))
