@@ -2,6 +2,7 @@
 
 #include "advice/MeasuredScene.H"
 #include "advice/knownLimits.H"
+#include "dictionary/files.H"
 
 #include <cmath>
 #include <iomanip>
@@ -70,9 +71,9 @@ static void printRuns
 {
     std::cout
         << "\nNearest scene that was measured: " << nearest.name() << " (a = "
-        << nearest.aspect() << "), errors against " << nearest.reference()
-        << ".\nTimes are scaled to this case by particles and steps, one thread"
-           " of the machine of\nthe charts.\n\n" << std::left
+        << nearest.aspect() << "),\nerrors against " << nearest.reference()
+        << ".\nTimes are scaled to this case by particles and steps, on one"
+           " thread of the machine\nof the charts.\n\n" << std::left
         << std::setw(12) << "setting" << std::setw(8) << "across"
         << std::setw(11) << "particles" << std::setw(10) << "error"
         << std::setw(10) << "front" << std::setw(10) << "height"
@@ -87,6 +88,29 @@ static void printRuns
             << std::setw(10) << percent(run.height)
             << std::setprecision(2) << nearest.timeOf(scene, run)
             << std::setprecision(6) << '\n';
+    }
+}
+
+// The lines by which a case takes a setting of etc/caseDicts
+static void printIncludes(const word& setting)
+{
+    for
+    (
+        const char* file :
+        {
+            "constant/granularProperties", "system/controlDict",
+            "system/sphSchemes", "system/sphSolution"
+        }
+    )
+    {
+        const std::string name = "caseDicts/" + setting + '/'
+          + std::filesystem::path(file).filename().string();
+        if (std::filesystem::exists(etcFolder()/name))
+        {
+            std::cout
+                << "    #includeEtc \"" << name << "\"    // last in " << file
+                << '\n';
+        }
     }
 }
 
@@ -131,12 +155,7 @@ static void recommend
         << " s on one thread. In the case:\n\n"
         << "    spacing  " << scene.smaller()/best->across
         << ";    // system/setParticlesDict\n";
-    for (const char* file : {"controlDict", "sphSchemes", "sphSolution"})
-    {
-        std::cout
-            << "    #includeEtc \"caseDicts/" << best->setting << '/' << file
-            << "\"    // last in system/" << file << '\n';
-    }
+    printIncludes(best->setting);
 }
 
 void advise(const CommandLine& args)

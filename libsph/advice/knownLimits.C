@@ -25,8 +25,9 @@ std::vector<std::string> knownLimits(const CaseScene& scene)
     if (scene.kind == "column" && scene.aspect() > 10)
     {
         text
-            << "tall: at a = " << scene.aspect() << " the deposit is thin, and"
-               " its front one or two particles high: give at least 20 across";
+            << "tall: a column of a = 15 kept 9 % too much volume;"
+               " #includeEtc \"caseDicts/impact/sphSchemes\" in"
+               " system/sphSchemes prevents it";
         say();
     }
     if (scene.KFactor < 50)
@@ -43,6 +44,18 @@ std::vector<std::string> knownLimits(const CaseScene& scene)
             << "steep: the slope has a friction of " << tilt << ", above mu2 = "
             << scene.fast->mu << ": it accelerates without end, and K must"
                " follow 100 rho0 U^2";
+        say();
+    }
+    if
+    (
+        scene.kind == "incline" && scene.slow
+     && tilt > scene.slow->mu && tilt < 1.05*scene.slow->mu
+    )
+    {
+        text
+            << "slow flow: the slope is hardly steeper than mu_s = "
+            << scene.slow->mu << "; mu(I) is ill-posed there, and the speed was"
+               " seen to be 10 % off";
         say();
     }
     if (scene.slow && scene.slow->mu < 0.1)

@@ -142,12 +142,13 @@ void Boundaries::setDepths(Particles& particles) const
     const std::vector<WallParticle> expected = wallParticles();
     const ParticleRange walls = particles.walls();
     bool same = walls.size() == label(expected.size());
+    // An ASCII file may have few digits
     for (label w = 0; same && w < walls.size(); ++w)
     {
         const label i = walls.begin + w;
         same =
             particles.patch[i] == expected[w].patch
-         && (particles.r[i] - expected[w].r).norm() < 1e-6*spacing_;
+         && (particles.r[i] - expected[w].r).norm() < 1e-3*spacing_;
         particles.depth[i] = expected[w].depth;
     }
     if (walls.size() == 0 && !expected.empty())

@@ -2,6 +2,7 @@
 
 #include "runTime/log.H"
 #include "scheme/filling.H"
+#include "scheme/roughness.H"
 
 #include <algorithm>
 #include <cmath>
@@ -94,6 +95,18 @@ void Doubts::end() const
             << "    adaptive yes, would show them";
         warning(os.str());
     }
+    const auto rough = roughness(particles_);
+    if (rough && *rough > 0.3)
+    {
+        os.str("");
+        os.precision(2);
+        os  << "At the end the pressures of neighbours differ by "
+            << 100 * *rough << " % of the RMS pressure\n    without order:"
+            << " they are noise as much as pressure. More density diffusion"
+            << " (stabilisation)\n    or artificial viscosity, or another"
+            << " correction, may calm them";
+        warning(os.str());
+    }
     const auto filled = filling(particles_);
     const scalar excess = filled ? 1 / *filled - 1 : 0;
     if (std::abs(excess) > 0.1)
@@ -103,8 +116,9 @@ void Doubts::end() const
         os  << "At the end the inner material takes " << std::abs(100*excess)
             << " % " << (excess > 0 ? "more" : "less") << " room than its"
             << " densities say: it was\n    torn apart and has come together"
-            << " otherwise. Heights and volumes are wrong by as much; less so\n"
-            << "    with a greater KFactor or H, if it was an impact";
+            << " otherwise. Heights and volumes are wrong by as much.\n"
+            << "    #includeEtc \"caseDicts/impact/sphSchemes\" at the end of"
+            << " system/sphSchemes prevents it";
         warning(os.str());
     }
 }

@@ -26,6 +26,7 @@ columnA1
 Outcome advised(const AppCase& where, const std::string& percent)
 {
     where.write("etc/charts/measured", measured);
+    where.write("etc/caseDicts/fast/controlDict", "maxCo 0.8;");
     return where.run
     (
         "granularFoamSPH -advise " + percent, 1,
@@ -43,7 +44,8 @@ TEST(advise, namesTheCheapestRunWithinTheError)
     EXPECT_EQ(three.code, 0) << three.text;
     EXPECT_TRUE(says(three, "Nearest scene that was measured: columnA1"));
     EXPECT_TRUE(says(three, "fast with 20 particles across"));
-    EXPECT_TRUE(says(three, "caseDicts/fast/sphSchemes"));
+    EXPECT_TRUE(says(three, "#includeEtc \"caseDicts/fast/controlDict\""));
+    EXPECT_FALSE(says(three, "caseDicts/fast/sphSchemes"));
     EXPECT_TRUE(says(three, "coarse: 9 particles across"));
     EXPECT_TRUE(says(advised(where, "1.5"), "accurate with 20"));
     EXPECT_TRUE(says(advised(where, "0.1"), "No measured run comes within"));
@@ -59,6 +61,41 @@ TEST(advise, saysWhereNothingLikeItWasMeasured)
         "rheology Newtonian; NewtonianCoeffs { eta 1; }"
     );
     EXPECT_TRUE(says(advised(where, "5"), "Nothing like it was measured"));
+}
+
+// What comes with the code: the settings that it names can be taken as it says
+TEST(advise, itsSettingsAreThere)
+{
+    for (const std::string setting : {"fast", "balanced", "accurate", "impact"})
+    {
+        const AppCase where;
+        label taken = 0;
+        for
+        (
+            const std::string file :
+            {
+                "constant/granularProperties", "system/controlDict",
+                "system/sphSchemes"
+            }
+        )
+        {
+            const auto name = "caseDicts/" + setting + '/'
+              + std::filesystem::path(file).filename().string();
+            if (std::filesystem::exists(SPH_PROJECT_ROOT "/etc/" + name))
+            {
+                where.append(file, "#includeEtc \"" + name + '"');
+                ++taken;
+            }
+        }
+        EXPECT_GT(taken, 0) << setting;
+        where.succeed("setParticles");
+        where.succeed("granularFoamSPH -dry-run");
+    }
+    const AppCase where;
+    EXPECT_TRUE
+    (
+        says(where.succeed("granularFoamSPH -advise 10"), "columnA0.9")
+    );
 }
 
 TEST(advise, refusesWhatIsNoError)

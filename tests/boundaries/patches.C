@@ -134,6 +134,7 @@ TEST(setDepths, refusesWallParticlesOfAnotherBoundary)
         bed.setDepths(P);
     };
     EXPECT_NO_THROW(set(30, {0, 0}, 0));
+    EXPECT_NO_THROW(set(30, {1e-5, 0}, 0)) << "of a file with few digits";
     EXPECT_THROW(set(29, {0, 0}, 0), Error);
     EXPECT_THROW(set(30, {0, 0}, 1), Error);
     EXPECT_THROW(set(30, {0.01, 0}, 0), Error);

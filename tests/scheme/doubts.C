@@ -1,5 +1,6 @@
 #include "scheme/Doubts.H"
 #include "scheme/filling.H"
+#include "scheme/roughness.H"
 #include "support/Lattice.H"
 #include "support/Scene.H"
 
@@ -117,6 +118,34 @@ TEST_F(doubts, pressuresThatAreLostInNoise)
         said([](Doubts& d) { d.look(0, 0); d.end(); }).find("1e-4 of the bulk"),
         std::string::npos
     );
+}
+
+// Of a plane there is none; of a pattern with amplitude A around p it is about
+// A/p, but for what the plane follows
+TEST_F(doubts, pressuresWithoutOrder)
+{
+    P.lambda.assign(P.lambda.size(), 1);
+    const auto set = [&](const scalar amplitude)
+    {
+        for (label i = 0; i < P.granular().end; ++i)
+        {
+            const scalar sign = (i % 40 + i/40) % 2 ? 1 : -1;
+            P.p[i] = 1000*(3 - P.r.y[i] + amplitude*sign);
+        }
+    };
+    set(0);
+    EXPECT_LT(*roughness(P), 1e-9);
+    EXPECT_EQ(said([](Doubts& d) { d.look(0, 0); d.end(); }), "");
+    set(1.5);
+    const scalar rms = std::sqrt(3 + 1.5*1.5);      // of 3 - y over [0, 3]
+    EXPECT_NEAR(*roughness(P), 1.5/rms, 0.15);
+    EXPECT_NE
+    (
+        said([](Doubts& d) { d.look(0, 0); d.end(); }).find("without order"),
+        std::string::npos
+    );
+    P.lambda.assign(P.lambda.size(), 0.5);
+    EXPECT_FALSE(roughness(P)) << "nothing inside";
 }
 
 TEST_F(doubts, roomThatDensitiesDoNotSay)
