@@ -39,7 +39,8 @@ void Images::place(const std::size_t firstRun)
     const label ghosts = particles_.ghosts().begin;
     for (std::size_t k = firstRun; k < runs_.size(); ++k)
     {
-        const auto& [begin, end, R] = runs_[k];
+        const label begin = runs_[k].begin, end = runs_[k].end;
+        const tensor& R = runs_[k].reflection;
         const scalar Rxx = R(0, 0), Rxy = R(0, 1), Ryx = R(1, 0), Ryy = R(1, 1);
         #pragma omp simd
         for (label image = begin; image < end; ++image)
