@@ -4,9 +4,11 @@
 #include "advice/knownLimits.H"
 #include "dictionary/files.H"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <sstream>
 
 namespace sph
 {
@@ -48,9 +50,15 @@ static void describe(const CaseScene& scene)
 {
     std::cout
         << "This case: " << scene.kind << ", H = " << scene.height
-        << " m, L = " << scene.length << " m, a = H/L = " << scene.aspect()
-        << ",\n" << scene.across() << " particles across, " << scene.duration
-        << " sqrt(H/g) long\n";
+        << " m, L = " << scene.length << " m";
+    if (scene.kind != "incline")
+    {
+        std::cout << ", a = H/L = " << scene.aspect();
+    }
+    std::cout
+        << ",\n" << scene.across() << " particles across ("
+        << (scene.kind == "incline" ? "H" : "the smaller of H and L")
+        << "), " << scene.duration << " sqrt(H/g) long\n";
 }
 
 static std::string percent(const std::optional<scalar>& value)
@@ -72,8 +80,9 @@ static void printRuns
     std::cout
         << "\nNearest scene that was measured: " << nearest.name() << " (a = "
         << nearest.aspect() << "),\nerrors against " << nearest.reference()
-        << ".\nTimes are scaled to this case by particles and steps, on one"
-           " thread of the machine\nof the charts.\n\n" << std::left
+        << ", of mu(I) or water with\nthe recommended scheme. Times are scaled"
+           " by particles and steps to this case, if it\nruns to its endTime,"
+           " on one thread of the machine of the charts.\n\n" << std::left
         << std::setw(12) << "setting" << std::setw(8) << "across"
         << std::setw(11) << "particles" << std::setw(10) << "error"
         << std::setw(10) << "front" << std::setw(10) << "height"
@@ -92,11 +101,11 @@ static void printRuns
 }
 
 // The lines by which a case takes a setting of etc/caseDicts
-static void printIncludes(const word& setting)
+static void printIncludes(const word& setting, const CaseScene& scene)
 {
     for
     (
-        const char* file :
+        const std::string file :
         {
             "constant/granularProperties", "system/controlDict",
             "system/sphSchemes", "system/sphSolution"
@@ -105,12 +114,19 @@ static void printIncludes(const word& setting)
     {
         const std::string name = "caseDicts/" + setting + '/'
           + std::filesystem::path(file).filename().string();
-        if (std::filesystem::exists(etcFolder()/name))
+        if (!std::filesystem::exists(etcFolder()/name))
+        {
+            continue;
+        }
+        if (file == "constant/granularProperties" && !scene.linearKFactor)
         {
             std::cout
-                << "    #includeEtc \"" << name << "\"    // last in " << file
-                << '\n';
+                << "    twice the K that it has    // in " << file << '\n';
+            continue;
         }
+        std::cout
+            << "    #includeEtc \"" << name << "\"    // last in " << file
+            << '\n';
     }
 }
 
@@ -145,17 +161,26 @@ static void recommend
                " ones above say how near\nthe method was seen to come.\n";
         return;
     }
+    const scalar spacing = scene.smaller()/best->across;
     std::cout
-        << "Within " << wanted << " % in "
-        << (best->front ? "front and height" : "its error") << ": "
-        << best->setting << " with " << best->across
-        << " particles across,\nspacing " << scene.smaller()/best->across
-        << " m, about " << std::setprecision(2)
+        << "There " << wanted << " % in "
+        << (
+               nearest.kind() == "column" ? "front and height"
+             : nearest.kind() == "incline" ? "the profile of the velocity"
+             : "the speed of the front"
+           )
+        << " was reached by " << best->setting << " with\n" << best->across
+        << " particles across, here about " << std::setprecision(2)
         << nearest.timeOf(scene, *best) << std::setprecision(6)
-        << " s on one thread. In the case:\n\n"
-        << "    spacing  " << scene.smaller()/best->across
-        << ";    // system/setParticlesDict\n";
-    printIncludes(best->setting);
+        << " s. In this case:\n\n    spacing  " << spacing
+        << ";    // last in system/setParticlesDict\n";
+    printIncludes(best->setting, scene);
+    if (scene.kind == "incline" && scene.length < 12*spacing)
+    {
+        std::cout
+            << "    a periodic length of " << 12*spacing << " m at least, in"
+               " place of " << scene.length << " m\n";
+    }
 }
 
 void advise(const CommandLine& args)
@@ -190,8 +215,10 @@ void advise(const CommandLine& args)
     }
 
     const auto limits = knownLimits(scene);
-    std::cout << "\nKnown to fail or to degrade (tutorials/charts/stability):"
-        << (limits.empty() ? " nothing in a case like this one\n" : "\n");
+    std::cout
+        << "\nOf the known limits that are looked for (see"
+           " tutorials/charts/stability)"
+        << (limits.empty() ? " none\nis met.\n" : ":\n");
     for (const std::string& limit : limits)
     {
         std::cout << "  - " << limit << '\n';

@@ -65,34 +65,48 @@ CaseScene readCaseScene(const std::filesystem::path& caseDir)
         bounds.extend(region->bounds());
         scene.area += region->area();
     }
-    if (g.norm() == 0 || bounds.isEmpty())
+    if (bounds.isEmpty())
     {
-        throw Error("Advice needs gravity and a region of particles");
+        setup.fail("regions", "Advice needs a region of particles");
+    }
+    if (g.norm() == 0)
+    {
+        throw Error("Advice needs gravity: constant/g is 0");
     }
     const Material material(properties, g, scene.spacing);
     const Boundaries boundaries(boundary, scene.spacing);
 
     scene.height = bounds.sizes().y();
     scene.length = bounds.sizes().x();
+    scene.slow = material.rheology().friction(0);
+    scene.fast = material.rheology().friction(1e6);
+    const auto law = properties.get<word>("rheology");
+    scene.kind =
+        scene.slow ? (periodic(boundary) ? "incline" : "column")
+      : law == "Newtonian" ? "liquid" : "other";
     const scalar middle = bounds.center().y();
     if
     (
-        !held(boundaries, {bounds.min().x(), middle}, scene.spacing)
+        scene.kind != "incline"
+     && !held(boundaries, {bounds.min().x(), middle}, scene.spacing)
      && !held(boundaries, {bounds.max().x(), middle}, scene.spacing)
     )
     {
         scene.length /= 2;
     }
     scene.slope = std::atan2(std::abs(g.x()), std::abs(g.y()));
-    scene.slow = material.rheology().friction(0);
-    scene.fast = material.rheology().friction(1e6);
-    scene.kind =
-        !scene.slow ? "liquid" : periodic(boundary) ? "incline" : "column";
+    scene.falls = !held
+    (
+        boundaries, {bounds.center().x(), bounds.min().y()}, 2*scene.spacing
+    );
     scene.KFactor =
         material.eos().K()/(material.rho0()*g.norm()*scene.height);
+    scene.linearKFactor =
+        properties.get<word>("equationOfState") == "linear"
+     && properties.optionalSubDict("linearCoeffs").found("KFactor");
     if (!std::isfinite(controls.endTime))
     {
-        throw Error("Advice needs an endTime");
+        controlDict.fail("stopAt", "Advice needs a run with an endTime");
     }
     scene.duration = (controls.endTime - controls.startTime)
         /std::sqrt(scene.height/g.norm());

@@ -2,7 +2,9 @@
 
 #include "dictionary/files.H"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sph
 {

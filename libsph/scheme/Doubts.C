@@ -32,11 +32,12 @@ void Doubts::look(const scalar time, const label netHits)
     {
         caught_ = true;
         std::ostringstream os;
-        os  << "Until time " << time << " the last net of the walls has held"
-            << " particles back " << netHits << " times, of "
-            << particles_.granular().end << ":\n    pressure does not keep"
-            << " them off the walls. A smaller spacing,\n    a greater KFactor"
-            << " or H, or other choices in system/sphSchemes may";
+        os  << "Until time " << time << " the last net of the walls has been"
+            << " called " << netHits << " times (there are "
+            << particles_.granular().end << "\n    particles): pressure does"
+            << " not keep all of them off the walls. A smaller spacing, a\n"
+            << "    greater KFactor or H, or other choices in"
+            << " system/sphSchemes may";
         warning(os.str());
     }
 }

@@ -1,6 +1,7 @@
 #include "advice/MeasuredScene.H"
 #include "advice/knownLimits.H"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -106,9 +107,14 @@ TEST(advice, namesTheLimitsThatACaseLiesIn)
     EXPECT_TRUE(says(scene, "coarse: 5 particles"));
     EXPECT_TRUE(says(scene, "soft: K is 20"));
     EXPECT_TRUE(says(scene, "steep"));
+    EXPECT_FALSE(says(scene, "falls"));
     EXPECT_FALSE(says(scene, "little friction"));
     scene.slow->mu = 0.05;
     EXPECT_TRUE(says(scene, "little friction"));
+    scene.falls = true;
+    EXPECT_TRUE(says(scene, "falls"));
+    scene.KFactor = 2e4;
+    EXPECT_TRUE(says(scene, "stiff"));
 }
 
 } // namespace sph

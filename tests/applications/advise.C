@@ -43,11 +43,11 @@ TEST(advise, namesTheCheapestRunWithinTheError)
     const Outcome three = advised(where, "3");
     EXPECT_EQ(three.code, 0) << three.text;
     EXPECT_TRUE(says(three, "Nearest scene that was measured: columnA1"));
-    EXPECT_TRUE(says(three, "fast with 20 particles across"));
+    EXPECT_TRUE(says(three, "reached by fast with\n20 particles across"));
     EXPECT_TRUE(says(three, "#includeEtc \"caseDicts/fast/controlDict\""));
     EXPECT_FALSE(says(three, "caseDicts/fast/sphSchemes"));
     EXPECT_TRUE(says(three, "coarse: 9 particles across"));
-    EXPECT_TRUE(says(advised(where, "1.5"), "accurate with 20"));
+    EXPECT_TRUE(says(advised(where, "1.5"), "accurate with\n20"));
     EXPECT_TRUE(says(advised(where, "0.1"), "No measured run comes within"));
     EXPECT_FALSE(where.has("0"));
 }

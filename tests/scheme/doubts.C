@@ -106,7 +106,7 @@ TEST_F(doubts, particlesThatTheNetHasCaught)
     const std::string text =
         said([](Doubts& d) { d.look(0, 1201); d.look(1, 5000); });
     EXPECT_EQ(count(text, "Warning"), 1);
-    EXPECT_NE(text.find("1201 times, of 1200"), std::string::npos) << text;
+    EXPECT_NE(text.find("1201 times (there are 1200"), std::string::npos) << text;
 }
 
 TEST_F(doubts, pressuresThatAreLostInNoise)
