@@ -185,6 +185,16 @@ static void recommend
 
 void advise(const CommandLine& args)
 {
+    for (const char* other : {"dry-run", "postProcess"})
+    {
+        if (args.found(other))
+        {
+            throw Error
+            (
+                std::string("-advise runs nothing: leave out -") + other
+            );
+        }
+    }
     const scalar wanted = wantedError(args.value("advise"));
     const CaseScene scene = readCaseScene(args.caseDir());
     describe(scene);

@@ -24,7 +24,7 @@ label Doubts::few() const
 
 void Doubts::look(const scalar time, const label netHits)
 {
-    if (looks_++ % interval == 0)
+    if (looks_++ % interval == 0 && !fast_)
     {
         lookAtSpeeds(time);
     }
@@ -54,7 +54,7 @@ void Doubts::lookAtSpeeds(const scalar time)
     {
         fast += Ux[i]*Ux[i] + Uy[i]*Uy[i] > limit;
     }
-    if (!fast_ && fast > few())
+    if (fast > few())
     {
         fast_ = true;
         std::ostringstream os;

@@ -1,5 +1,6 @@
 #include "scheme/filling.H"
 
+#include "kernels/Kernel.H"
 #include "pairs/CellGrid.H"
 
 #include <algorithm>
@@ -35,13 +36,6 @@ scalar fraction(const scalar x)
     return x - std::floor(x);
 }
 
-// Wendland's function of support 2 dx [1/m2]
-scalar W(const scalar distance, const scalar dx)
-{
-    const scalar q = distance/dx, f = std::max(0.0, 1 - q/2);
-    return 7/(4*M_PI*dx*dx)*f*f*f*f*(2*q + 1);
-}
-
 // Up, down, left or right
 int side(const vector& d)
 {
@@ -52,7 +46,8 @@ int side(const vector& d)
 // is beyond the nearest row, and their middle close by
 scalar sumAround
 (
-    const vector& place, const CellGrid& grid, const Particles& particles
+    const vector& place, const CellGrid& grid, const Particles& particles,
+    const Kernel& kernel
 )
 {
     const scalar dx = particles.spacing();
@@ -67,7 +62,7 @@ scalar sumAround
         {
             const label j = grid.particles()[k];
             const vector d = particles.r[j] - place;
-            const scalar VW = particles.V[j]*W(d.norm(), dx);
+            const scalar VW = particles.V[j]*kernel.W(d.norm());
             sum += VW;
             towards += VW*d;
             if (VW > 0 && d.norm() > 0.75*dx)
@@ -84,7 +79,12 @@ scalar sumAround
 
 std::optional<scalar> filling(const Particles& particles)
 {
-    const scalar width = 2*particles.spacing();
+    const auto kernel = Kernel::New
+    (
+        dictionary::fromString("kernel WendlandC2;"), "kernel",
+        particles.spacing()
+    );
+    const scalar width = kernel->cutOff();
     CellGrid grid;
     grid.build(particles.r, {particles.granular()}, width);
     label n = 0;
@@ -104,7 +104,7 @@ std::optional<scalar> filling(const Particles& particles)
                 column + fraction(shift.x() + 0.25*k),
                 row + fraction(shift.y() + 0.5*k)
             );
-            const scalar sum = sumAround(place, grid, particles);
+            const scalar sum = sumAround(place, grid, particles, *kernel);
             n += sum > 0;
             total += sum;
         }

@@ -107,6 +107,9 @@ TEST(advise, refusesWhatIsNoError)
         EXPECT_EQ(outcome.code, 1) << percent;
         EXPECT_TRUE(says(outcome, "-advise takes the wanted error in percent"));
     }
+    const Outcome both = advised(AppCase(), "5 -dry-run");
+    EXPECT_EQ(both.code, 1);
+    EXPECT_TRUE(says(both, "leave out -dry-run"));
 }
 
 } // namespace sph

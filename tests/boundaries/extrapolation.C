@@ -130,43 +130,6 @@ TEST_F(extrapolation, freeSlipReversesTheNormalVelocityOnly)
     }
 }
 
-// Under the same pressure everywhere the walls that material slips along push
-// it along by less than a tenth of what a rough one does, wherever it stands
-// before their particles
-TEST_F(extrapolation, smoothWallsDoNotHoldTheRowBeforeThem)
-{
-    const auto greatestPush = [&](const std::string& type)
-    {
-        scalar push = 0;
-        for (const scalar offset : {0.0, 0.1, 0.2, 0.3, 0.4})
-        {
-            text = CaseText::plain();
-            fill(bedOf(type), 20, 10, {offset*dx, 0});
-            Particles& P = scene->particles;
-            const scalar p = 0.01*scene->material.eos().K();
-            for (label i = 0; i < P.granular().end; ++i)
-            {
-                P.rho[i] = scene->material.eos().density(p);
-            }
-            scene->scheme.initialise();
-            for (label i = 0; i < P.granular().end; ++i)
-            {
-                const bool middle = P.r.x[i] > 6*dx && P.r.x[i] < 14*dx;
-                if (middle && P.r.y[i] < dx)
-                {
-                    const scalar scale = p/(P.rho[i]*dx);
-                    push = std::max(push, std::abs(P.a.x[i])/scale);
-                }
-            }
-        }
-        return push;
-    };
-    const scalar rough = greatestPush("noSlip");
-    EXPECT_GT(rough, 0.01);
-    EXPECT_LT(greatestPush("freeSlip"), 0.1*rough);
-    EXPECT_LT(greatestPush("CoulombWall; muWall 0.3"), 0.1*rough);
-}
-
 // (1 - beta) U, beta = min(betaMax, 1 + d_b/d_a)
 TEST_F(extrapolation, MorrisLimitsTheReversal)
 {
