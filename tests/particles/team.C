@@ -3,6 +3,7 @@
 #include "support/Threads.H"
 
 #include <atomic>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <memory>
 
@@ -39,4 +40,17 @@ TEST(team, partsMakeUpTheRangeOnceAndBeginAtWholeSlices)
             }
         }
     }
+}
+
+// CTest runs as many tests as there are cores: a test that takes them all
+// itself waits for the others in every loop
+TEST(team, isAsLargeAsTheBuildWantsItInTests)
+{
+    if (!std::getenv("CTEST_INTERACTIVE_DEBUG_MODE"))
+    {
+        GTEST_SKIP() << "not started by CTest";
+    }
+    const char* threads = std::getenv("OMP_NUM_THREADS");
+    ASSERT_NE(threads, nullptr);
+    EXPECT_EQ(std::to_string(omp_get_max_threads()), threads);
 }
