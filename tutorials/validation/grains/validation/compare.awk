@@ -1,15 +1,16 @@
 # The columns of a run against the grains, as rows of results.tsv:
 #
-#     awk -v a=0.5 -v H0=0.149 -v n=20 -f compare.awk a0.5_profiles.csv \
-#         a0.5_basilisk.csv profile_<time>.dat ...
-#     awk -v a=6.26 -v H0=0.677 -v n=10 -f compare.awk a6.26_profiles.csv \
-#         a6.26_history.csv a6.26_envelope.csv profile_<time>.dat ...
+#     awk -v a=0.5 -v H0=0.149 -v n=20 -f curves.awk -f compare.awk \
+#         a0.5_profiles.csv a0.5_basilisk.csv profile_<time>.dat ...
+#     awk -v a=6.26 -v H0=0.677 -v n=10 -f curves.awk -f compare.awk \
+#         a6.26_profiles.csv a6.26_history.csv a6.26_envelope.csv \
+#         profile_<time>.dat ...
 #
-# Thickness is compared at x = (k + 1/2) 1.5 d, the bins of the grain data, by
-# linear interpolation, wherever one of the two is not zero. The heap of grains
-# is the mean of its left and its right half; its scatter is the difference of
-# one half from this mean. Fronts: the farthest x where the thickness is 1.5 d
-# and 3 d, and the x within which 98 % of the area lies.
+# curves.awk stands in etc. Thickness is compared at x = (k + 1/2) 1.5 d, the bins
+# of the grain data, by linear interpolation, wherever one of the two is not zero.
+# The heap of grains is the mean of its left and its right half; its scatter is the
+# difference of one half from this mean. Fronts: the farthest x where the thickness
+# is 1.5 d and 3 d, and the x within which 98 % of the area lies.
 
 BEGIN {
     FS = "[, \t]+"
@@ -21,45 +22,9 @@ BEGIN {
     zero = 1e-9
 }
 
-function add(curve, x, h,    n)
+function apart(one, other)
 {
-    n = size[curve]
-    # Of several facets at one x the highest counts
-    if (n && x == X[curve, n])
-    {
-        if (h > H[curve, n]) H[curve, n] = h
-        return
-    }
-    size[curve] = ++n
-    X[curve, n] = x
-    H[curve, n] = h
-}
-
-# Constant before the first point, zero behind the last one
-function at(curve, x,    n, i, w)
-{
-    n = size[curve]
-    if (x <= X[curve, 1]) return H[curve, 1]
-    if (x >= X[curve, n]) return 0
-    for (i = 2; X[curve, i] < x; i++);
-    w = (x - X[curve, i - 1])/(X[curve, i] - X[curve, i - 1])
-    return (1 - w)*H[curve, i - 1] + w*H[curve, i]
-}
-
-function difference(one, other,    k, x, h1, h2, m, sum)
-{
-    for (k = 0; k < bins; k++)
-    {
-        x = (k + 0.5)*width
-        h1 = at(one, x)
-        h2 = at(other, x)
-        if (h1 > zero || h2 > zero)
-        {
-            m++
-            sum += (h1 - h2)^2
-        }
-    }
-    return sqrt(sum/m)
+    return difference(one, other, width, bins, zero)
 }
 
 # The farthest x of this thickness
@@ -158,8 +123,8 @@ END {
         t = list[i]
         goal = a == 0.5 ? (t < 6 ? 0.025 : 0.016) : (t < 6 ? "" : 0.006)
         from = sprintf("grains (scatter %.4f)", \
-            difference("left" t, "grains" t))
-        measured = difference("run" t, "grains" t)
+            apart("left" t, "grains" t))
+        measured = apart("run" t, "grains" t)
         quantity = "RMS of the surface at " t " tc [H0]"
         if (goal == "")
             row(quantity, measured, "-", "-", "-", "-", from)
@@ -168,10 +133,10 @@ END {
         if (a == 0.5 && t < 6)
         {
             row("RMS from Basilisk at " t " tc [H0]", \
-                difference("run" t, "basilisk" t), "-", "-", "-", "-", \
+                apart("run" t, "basilisk" t), "-", "-", "-", "-", \
                 "continuum mu(I) by others")
             row("RMS of Basilisk at " t " tc [H0]", \
-                difference("basilisk" t, "grains" t), "-", "-", "-", "-", from)
+                apart("basilisk" t, "grains" t), "-", "-", "-", "-", from)
         }
     }
     t = list[m]
@@ -187,7 +152,7 @@ END {
         fill /= fills
         for (i = 1; i <= size["dated0.66"]; i++) H["dated0.66", i] /= fill
         atMost("RMS of the surface at 0.66 tc [H0]", \
-            difference("run0.66", "dated0.66"), 0.025, "dated grains")
+            apart("run0.66", "dated0.66"), 0.025, "dated grains")
         m = split("0.66 0.95 1.24 1.52 2.28", list, " ")
         for (i = 1; i <= m; i++)
         {

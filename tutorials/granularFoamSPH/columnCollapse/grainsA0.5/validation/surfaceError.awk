@@ -1,11 +1,12 @@
 # RMS difference of the free surface from that of the grains, in H0:
 #
-#     awk -f surfaceError.awk grains.csv basilisk.csv profile_<time>.dat ...
+#     awk -f curves.awk -f surfaceError.awk grains.csv basilisk.csv \
+#         profile_<time>.dat ...
 #
-# Compared is the thickness at x = (k + 1/2) 1.5 d, the bins of the grain data,
-# by linear interpolation, wherever one of the two is not zero. The grain heap
-# is the mean of its left and its right half; its scatter is the difference of
-# one half from this mean. Of several facets at one x the highest counts.
+# curves.awk stands in etc. Compared is the thickness at x = (k + 1/2) 1.5 d, the
+# bins of the grain data, by linear interpolation, wherever one of the two is not
+# zero. The grain heap is the mean of its left and its right half; its scatter is
+# the difference of one half from this mean.
 
 BEGIN {
     d = 0.005
@@ -16,45 +17,10 @@ BEGIN {
     zero = 1e-9
 }
 
-function add(curve, x, h,    n)
+function from(grains, curve)
 {
-    n = size[curve]
-    if (n && x == X[curve, n])
-    {
-        if (h > H[curve, n]) H[curve, n] = h
-        return
-    }
-    size[curve] = ++n
-    X[curve, n] = x
-    H[curve, n] = h
-}
-
-# Constant before the first point, zero behind the last one
-function at(curve, x,    n, i, w)
-{
-    n = size[curve]
-    if (x <= X[curve, 1]) return H[curve, 1]
-    if (x >= X[curve, n]) return 0
-    for (i = 2; X[curve, i] < x; i++);
-    w = (x - X[curve, i - 1])/(X[curve, i] - X[curve, i - 1])
-    return (1 - w)*H[curve, i - 1] + w*H[curve, i]
-}
-
-function difference(a, b,    k, x, ha, hb, n, sum)
-{
-    if (!size[a]) return "-"
-    for (k = 0; k < bins; k++)
-    {
-        x = (k + 0.5)*binWidth
-        ha = at(a, x)
-        hb = at(b, x)
-        if (ha > zero || hb > zero)
-        {
-            n++
-            sum += (ha - hb)^2
-        }
-    }
-    return sprintf("%.4f", sqrt(sum/n))
+    return size[curve] \
+      ? sprintf("%.4f", difference(curve, grains, binWidth, bins, zero)) : "-"
 }
 
 FNR == 1 {
@@ -92,8 +58,8 @@ END {
             add("grains" t, x, 0.5*(left + at("all" t, x)))
         }
         printf "%5d%11s%11s%20s\n", t,
-            difference("run" t, "grains" t),
-            difference("basilisk" t, "grains" t),
-            difference("left" t, "grains" t)
+            from("grains" t, "run" t),
+            from("grains" t, "basilisk" t),
+            from("grains" t, "left" t)
     }
 }
