@@ -45,3 +45,12 @@ function difference(one, other, width, bins, zero,    k, x, h1, h2, m, sum)
     }
     return m ? sqrt(sum/m) : 0
 }
+
+# The farthest x of this height
+function front(curve, h,    i)
+{
+    for (i = size[curve]; i > 1 && H[curve, i] < h; i--);
+    if (i == size[curve]) return X[curve, i]
+    return X[curve, i] + (X[curve, i + 1] - X[curve, i]) \
+        *(H[curve, i] - h)/(H[curve, i] - H[curve, i + 1])
+}

@@ -27,15 +27,6 @@ function apart(one, other)
     return difference(one, other, width, bins, zero)
 }
 
-# The farthest x of this thickness
-function front(curve, h,    i)
-{
-    for (i = size[curve]; i > 1 && H[curve, i] < h; i--);
-    if (i == size[curve]) return X[curve, i]
-    return X[curve, i] + (X[curve, i + 1] - X[curve, i]) \
-        *(H[curve, i] - h)/(H[curve, i] - H[curve, i + 1])
-}
-
 # The x within which this part of the area lies
 function quantile(curve, part,    k, fine, sum, target)
 {
