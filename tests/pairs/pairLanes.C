@@ -166,6 +166,28 @@ TEST(pairLanes, haveAnInverseSquareRoot)
     }
 }
 
+// Every pattern of the lanes
+TEST(pairLanes, areChosenOneByOne)
+{
+    for (label pattern = 0; pattern < 1 << W; ++pattern)
+    {
+        alignedList<pairScalar> a(W), b(W);
+        for (label k = 0; k < W; ++k)
+        {
+            a[k] = k + 1;
+            b[k] = pattern & 1 << k ? k + 2 : -k - 2;
+        }
+        pairLanes x, y;
+        std::memcpy(&x, a.data(), sizeof x);
+        std::memcpy(&y, b.data(), sizeof y);
+        const Lanes less = valuesOf(select(x < y, x, y));
+        for (label k = 0; k < W; ++k)
+        {
+            EXPECT_EQ(less[k], std::min(a[k], b[k])) << pattern;
+        }
+    }
+}
+
 // a[c][lane] = records[lane][c]
 TEST(pairLanes, areLoadedFromRecords)
 {
